@@ -24,7 +24,7 @@ from exactsweep.procedures.chain import split
 
 
 class Chains(NamedTuple):
-    """The chains of a lower sweep (G_t, D_b), and G_b; tops run from right to left."""
+    """The chains of a lower sweep (G_t, D_b), and G_b; top chains run from right to left."""
 
     top: list[Vertex]
     bottom: list[Vertex]

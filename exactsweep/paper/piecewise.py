@@ -1,4 +1,4 @@
-"""Functions of one variable that are linear in pieces, and the least of their sums."""
+"""Piecewise linear functions of one variable, and the minimum of their sums."""
 
 from __future__ import annotations
 
@@ -47,7 +47,7 @@ class _ScaledLine(NamedTuple):
 
 
 def mirror(function: Iterable[LinearPiece]) -> PiecewiseLinear:
-    """Return the function with the sign of its values changed."""
+    """Return the negative of a function."""
     return tuple(LinearPiece(x0, -y0, x1, -y1) for x0, y0, x1, y1 in function)
 
 
@@ -59,7 +59,7 @@ def list_ends(function: Iterable[LinearPiece]) -> set[tuple[Rational, Rational]]
 def take_least_sum(
     f: PiecewiseLinear, g: PiecewiseLinear, within: tuple[Rational, Rational] | None = None
 ) -> PiecewiseLinear:
-    """Compute the function x -> min over u of f(u) + g(x - u), all of it or between two cuts.
+    """Compute the function x -> min over u of f(u) + g(x - u), everywhere or between two cuts.
 
     For x strictly between two consecutive sums of breakpoints, no breakpoint of f meets one of g,
     so the minimum is attained at a breakpoint of one inside a piece of the other, in the limit from
@@ -107,7 +107,7 @@ def _lower_envelope(
     """Find the lowest of some lines over an interval, each with its left end there."""
     _, _, line = min((line.at(left), line.slope, line) for line in lines)
     yield line, left
-    # Invariant: `line` is lowest just right of where it was yielded with, so it is first left by a
+    # Invariant: `line` is lowest just right of its start, so it is first left by a
     # line that ends lower, at the first crossing; of several there by the steepest one.
     end = line.at(right)
     while lower := [rival for rival in lines if rival.at(right) < end]:

@@ -1,4 +1,4 @@
-"""Plots of counts divided by claimed bounds, drawn with matplotlib.
+"""Plots of counts relative to the claimed bounds, with matplotlib.
 
 Seven series differ in color and in marker, and the next seven in dashes, too.
 """

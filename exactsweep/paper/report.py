@@ -38,8 +38,8 @@ GROWTH = ("what", "family", "m", "n", "divided by", "ratio", "exponent", "of the
 def write(folder: Path, rows: Sequence[Finding], effort: Effort) -> tuple[Path, Path, Path]:
     """Write report.html, report.md with its pictures, and ledger.json into a folder.
 
-    The same seed, effort and versions give the same bytes, except for measurements. Returns the
-    three paths; raises OSError if the folder cannot be written to.
+    With the same seed, effort and versions the files are identical, except for measurements.
+    Returns the three paths; raises OSError if the folder cannot be written to.
     """
     folder.mkdir(parents=True, exist_ok=True)
     drawn = _plots(rows)
@@ -80,11 +80,11 @@ def title_section(section: str) -> str:
 
 
 def count_verdicts(rows: Sequence[Finding]) -> str:
-    """Count the rows of each verdict and the failures, and report the time of all."""
+    """Count the rows by verdict, and the failures, and report the total time."""
     verdicts = Counter(row.claim.verdict for row in rows)
     counts = ", ".join(f"{verdicts[v]} {v.value}" for v in ClaimVerdict if verdicts[v])
     failing = [row.claim.name for row in rows if row.disagreement]
-    borne_out = f"evidence fails: {', '.join(failing)}" if failing else "all borne out"
+    borne_out = f"evidence fails: {', '.join(failing)}" if failing else "all supported"
     return f"{len(rows)} rows: {counts}; {borne_out}; {sum(row.seconds for row in rows):.0f} s"
 
 
@@ -120,14 +120,14 @@ def _environment(*, html: bool) -> Environment:
 
 
 def set_formula(text: str) -> Markup:
-    """Return text as HTML, its indices, signs and Greek letter set as in mathematics.
+    """Return text as HTML, with indices, signs and the Greek letter set as in mathematics.
 
     >>> print(set_formula("m_b < n_t, T(u) <= -G_P - 1"))
     m<sub>b</sub> &lt; n<sub>t</sub>, T(u) ≤ −G<sub>P</sub> − 1
     >>> print(set_formula("T_(i-1) >= -1, D_1, Trajectory_CC, non-convex"))
     T<sub>i−1</sub> ≥ −1, D<sub>1</sub>, Trajectory_CC, non-convex
     """  # noqa: RUF002
-    # A sign stands next to a number, a letter of its own or a parenthesis; a hyphen inside a word.
+    # A minus sign is next to a number, a single letter or a parenthesis, a hyphen inside a word.
     sign = r"(?<![\w)])-(?=[\d(]|[A-Za-z](?:_|\b))|(?<=[\w)]) - (?=[\w(])"
     signed = re.sub(sign, lambda m: m[0].replace("-", MINUS), text)
     signed = signed.replace("<=", "≤").replace(">=", "≥")
@@ -163,7 +163,7 @@ def split_proof(text: str) -> tuple[str, list[str]]:
 
 
 def find_alignments(rows: Sequence[Sequence[str]]) -> list[str]:
-    """Return the HTML class of each column of a table: "number" if it has nothing else."""
+    """Return the HTML class of each column of a table: "number" if it has only numbers."""
     return [
         "number" if all(re.fullmatch(r"-?[0-9.,/]+", cell) for cell in column) else "text"
         for column in zip(*rows, strict=True)
@@ -180,18 +180,18 @@ def growth_row(series: Growth) -> list[str]:
 
 
 def miss(sampled: int) -> str:
-    """Report the strength of a sample: a share of three in n is missed once in twenty times.
+    """State what a sample detects: with n pairs, a fault of 3 in n pairs, with probability 95%.
 
     >>> miss(300)
-    '300 pairs a law: a fault of more than one pair in 100 is missed with a chance below 5%.'
+    '300 pairs per law: a fault of more than one pair in 100 is missed with a probability below 5%.'
     >>> miss(3)
-    '3 pairs a law, as examples.'
+    '3 pairs per law, as examples.'
     """
     if sampled < 10:
-        return f"{sampled} pairs a law, as examples." if sampled else ""
+        return f"{sampled} pairs per law, as examples." if sampled else ""
     return (
-        f"{sampled:,} pairs a law: a fault of more than one pair in {max(1, sampled // 3):,} is "
-        "missed with a chance below 5%."
+        f"{sampled:,} pairs per law: a fault of more than one pair in {max(1, sampled // 3):,} is "
+        "missed with a probability below 5%."
     )
 
 
@@ -201,7 +201,7 @@ def name_plot(name: str) -> str:
 
 
 def draw_case(case: Counterexample) -> Markup:
-    """Draw the pair of a counterexample by `pair_svg`, which writes numbers only."""
+    """Draw the pair of a counterexample by `pair_svg`, which writes only numbers."""
     pair = SweepPair(list(case.generatrix), list(case.directrix))
     return Markup(pair_svg(pair) if case.generatrix else "")
 
@@ -239,7 +239,7 @@ def read_bibtex() -> str:
 
 
 def pair_svg(pair: SweepPair) -> str:
-    """Draw D, G at one end of its path, and the path of its origin as SVG; names stand below."""
+    """Draw D, G at one end of its path, and the path of its origin as SVG, with a caption."""
     g, d = map(Polygon, pair)
     path = sweep(g, d).trajectory
     shapes = (

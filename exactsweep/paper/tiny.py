@@ -1,7 +1,7 @@
-"""All strictly X-monotone polygons on a tiny grid, and the first pair that breaks a statement.
+"""All strictly X-monotone polygons on a tiny grid, and the first pair that refutes a statement.
 
-Pairs come by their number of vertices, then by the size of both bounding boxes: the first one that
-fails is a smallest counterexample on that grid.
+Pairs are sorted by number of vertices, then by the sizes of their bounding boxes, so the first one
+that fails is a smallest counterexample on that grid.
 """
 
 from __future__ import annotations
@@ -93,7 +93,7 @@ def search_grid(
 
 
 def search(pairs: Iterable[SweepPair], fails: Law, where: str) -> Evidence:
-    """Look for the first of some pairs for which a statement fails; `where` names them."""
+    """Look for the first pair for which a statement fails; `where` names the pairs."""
     number = 0
     for number, pair in enumerate(pairs, 1):
         if text := find_first_failure(fails(pair)):
@@ -104,6 +104,6 @@ def search(pairs: Iterable[SweepPair], fails: Law, where: str) -> Evidence:
 
 
 def expect_none(convex: Evidence) -> Evidence:
-    """Make a search among convex polygons fail if it found a counterexample."""
+    """Turn a counterexample of a search among convex polygons into a failure."""
     failures = (f"two convex polygons: {case.text}" for case in convex.cases)
     return replace(convex, failure=find_first_failure(failures), cases=())

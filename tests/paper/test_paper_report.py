@@ -204,7 +204,7 @@ def test_the_ledger_is_written_as_data_that_its_schema_describes(tmp_path: Path)
 
 def test_the_totals_are_reported() -> None:
     rows = [row("Slope"), row("Lemma 3.1")]
-    assert count_verdicts(rows).startswith("2 rows: 1 reproduced, 1 misprint; all borne out; ")
+    assert count_verdicts(rows).startswith("2 rows: 1 reproduced, 1 misprint; all supported; ")
     with mutated(MUTATIONS[0]):
         red = list(reproduce([find("Trajectory_CC")], Effort(quick=True)))
     assert "; evidence fails: Trajectory_CC; " in count_verdicts(red)

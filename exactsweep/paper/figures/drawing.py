@@ -2,7 +2,7 @@
 
 A panel lists instructions, each a method of `PanelDrawer` with its arguments. A shape is a name,
 such as "outer", "outer.3" for its vertex 3, or "outer/3" for the middle of its edge 3; or it is a
-point or a chain, written out. A name in panel a means the figure's shape "a_name", if there is one.
+point or a chain, written out. In panel a, a name means the figure's shape "a_name" if that exists.
 "=" starts the name of computed words. A look is an entry of `looks`, or a name of the style.
 """
 

@@ -59,7 +59,7 @@ class PaperFigure(NamedTuple):
 
 
 def join_panels(panels: Mapping[str, PaperFigure]) -> PaperFigure:
-    """Join panels by their letters. The key "" has the rest of the figure, whose names stay."""
+    """Join panels by their letters. Names of the key "" are unchanged."""
     shapes: dict[str, Any] = {}
     words: dict[str, Sequence[str]] = {}
     for letter, panel in panels.items():

@@ -1,4 +1,4 @@
-"""Figure 9: how far the two loops are apart along an edge of the trajectory."""
+"""Figure 9: the distance of the two loops along an edge of the trajectory."""
 
 from __future__ import annotations
 

@@ -27,7 +27,7 @@ COLUMNS = (3, 10, 16)
 
 
 def sweep_example(teeth: int) -> Sweep:
-    """Sweep the pair of the paper's sizes (2 teeth, 4, 6), flatter and wider than `bumps`."""
+    """Sweep a pair of the paper's sizes, (2, 4, 6), flatter and wider than `bumps`."""
     bottom = [(40 * k, -120 if k % 2 else 0) for k in range(2 * teeth + 1)]
     rings = PEAKS + TIP, [*bottom, (40 * teeth, 60)]
     g, d = ([(Fraction(x, 4), Fraction(y, 20)) for x, y in ring] for ring in rings)

@@ -37,13 +37,13 @@ HIGH = 16
 
 
 def _draw_call(places: Mapping[str, Vertex], one: str, other: str) -> tuple[Vertex, Vertex]:
-    """Return tail and head of the arrow of a call."""
+    """Return the tail and the head of the arrow of a call."""
     start, end = places[one], places[other]
     return _leave(start, _rim(one, start), end), _leave(end, _rim(other, end), start)
 
 
 def watch_calls(words: Mapping[CodeType, str], *runs: Callable[[], object]) -> set[tuple[str, str]]:
-    """Record which of some functions runs directly inside which other, ignoring all the rest."""
+    """Record which of some functions call each other; other functions in between are ignored."""
     inside: list[str] = []
     found: set[tuple[str, str]] = set()
 

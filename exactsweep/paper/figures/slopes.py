@@ -1,4 +1,4 @@
-"""Figure 4: a CC sweep goes along the edges of both polygons in order of slope."""
+"""Figure 4: a CC sweep follows the edges of both polygons in order of slope."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ OWNERS = ("D_b", "G_t")
 
 
 class Move(NamedTuple):
-    """An edge along which G slides: whose it is, and which vector it adds to the path."""
+    """An edge along which G slides: its polygon, and the vector that it adds to the path."""
 
     owner: str
     by: Vertex
