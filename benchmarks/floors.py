@@ -1,7 +1,7 @@
 """The cost of evidence and proof, compared with the sweep: `verify`, undercuts and the page.
 
-The sweep is its three loops, of polygons that are made; `verify` is given the certificate as
-`json.loads` gives it; the time of `json.loads` itself is shown apart.
+A sweep here means its three loops, of polygons that exist already; `verify` gets the parsed
+certificate, and the time of `json.loads` is a column of its own.
 """
 
 from __future__ import annotations
@@ -36,12 +36,12 @@ def comb(teeth: int, pitch: int = 4000, height: int = 10**6) -> Ring:
 
 
 def least(call: Callable[[], object]) -> float:
-    """The least time of a call, in milliseconds: what others do to the machine comes on top."""
+    """The least time of several calls, in milliseconds, because other load only adds to it."""
     return min(milliseconds(call))
 
 
 def after_loops(step: Callable[[Sweep], object], *pair: Polygon) -> float:
-    """The least time of a step on a sweep that has its loops already, in milliseconds."""
+    """The least time of a step on a sweep whose loops are computed, in milliseconds."""
     times = []
     for _ in range(3):
         s = sweep(*pair)
@@ -95,7 +95,7 @@ def tabulate(*, quick: bool) -> Iterator[Table]:
 
 def tabulate_page() -> Table:
     """Time the page data of a zigzag of 1,000 vertices around a comb of 1,002."""
-    # The page is not needed for anything else here.
+    # Only this benchmark needs the page.
     from exactsweep.view.data import gather_page_data
 
     pair = Polygon(mm(1002, 1000, 0)[0]), Polygon(comb(250))

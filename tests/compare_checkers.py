@@ -26,7 +26,7 @@ from exactsweep.check.extracted import PROOF, ask, build_checker
 from exactsweep.check.standalone import Refused, prove
 from exactsweep.check.terms import TheoremError, write_numbers
 
-# The tests import one another by bare names, as pytest sets them up.
+# Tests import each other by bare names, as under pytest.
 sys.path.insert(0, str(Path(__file__).parent))
 sys.path.insert(0, str(Path(__file__).parent / "support"))
 from falsify import LAYOUTS, SHAPES, change, mix

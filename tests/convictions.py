@@ -105,7 +105,7 @@ def is_near(case: Case, answer: Any, exact: dict[str, Any]) -> bool:
     "--wrong",
     type=click.IntRange(min=1),
     default=20,
-    help="How many wrong answers of each program are judged; 20 if left out.",
+    help="Number of wrong answers of each program to judge; default: 20.",
 )
 def main(wrong: int) -> None:
     """Judge faulty programs on the shipped cases, and write the verdicts in Markdown.

@@ -1,7 +1,7 @@
 """Falsify certificates, and check that they are rejected: `python -m tests.falsify`.
 
-Changes of one place, mixtures of two certificates about related pairs, and an adversary who moves
-loops and has the finder fill in a proof for them. With --layouts, certificates of layouts instead;
+Changes of one value, mixtures of two certificates of related pairs, and an adversary that moves
+loops and lets the finder prove them. With --layouts, certificates of layouts instead;
 with --sums, of sums with paths. With --prove, certificates of random pairs and of the corpus are
 proved by the file alone, in processes that cannot see the package. With --weaken, single lines of
 the checker are weakened, and a test has to notice each.
@@ -30,7 +30,7 @@ from exactsweep.check.verify import normalize
 from exactsweep.corpus import cases
 from exactsweep.evidence.proof import add_proof
 
-# The tests import one another by bare names, as pytest sets them up.
+# Tests import each other by bare names, as under pytest.
 sys.path.insert(0, str(Path(__file__).parent))
 sys.path.insert(0, str(Path(__file__).parent / "support"))
 from families import random_pair
@@ -111,7 +111,7 @@ def is_true_sum(certificate: Certificate, known: list[Certificate]) -> bool:
 
 
 def draw_classes(rng: Random, pairs: int) -> Iterator[Certificate]:
-    """Draw the certificates of as many pairs of every class: sweeps, and inner fits."""
+    """Draw the certificates of sweeps and inner fits, of an equal number of pairs per class."""
     missing = dict.fromkeys(CLASSES, pairs)
     while any(missing.values()):
         g, d = draw_pair(rng, any(missing[kind] for kind in CLASSES[:3]) and rng.random() < 0.8)
@@ -130,7 +130,7 @@ def list_places(item: Any, path: Place = ()) -> list[Place]:
 
 
 def change(certificate: Certificate, rng: Random) -> tuple[str, Certificate]:
-    """Change one place, which is drawn."""
+    """Change one random value."""
     path = rng.choice(list_places(certificate)[1:])
     item = get(certificate, path)
     where = " ".join(map(str, path[: 2 if path[0] == "proof" else 1]))
@@ -150,7 +150,7 @@ def change(certificate: Certificate, rng: Random) -> tuple[str, Certificate]:
 
 
 def mix(one: Any, other: Any, rng: Random) -> Any:
-    """Take some entries of an object, and of objects in it, from another one."""
+    """Replace some entries of an object, at any depth, by those of another one."""
     if not (type(one) is type(other) is dict):
         return other
     keys = [key for key in one if key in other and one[key] != other[key]]
@@ -218,7 +218,7 @@ class Family(NamedTuple):
 
     Attributes:
         draw: draws certificates of related questions, with all evidence.
-        adversary: changes the claim of one, and finds evidence for it.
+        adversary: changes the claim of a certificate, and finds evidence for it.
         is_true: decides whether a changed claim is true, or one of the known ones.
     """
 
@@ -311,15 +311,15 @@ def list_corpus() -> Iterator[Certificate]:
 
 @click.command()
 @click.option(
-    "--pairs", default=20, show_default=True, help="How many pairs; with --prove, of each class."
+    "--pairs", default=20, show_default=True, help="Number of pairs; with --prove, of each class."
 )
-@click.option("--changes", default=100, show_default=True, help="How many changes of each pair.")
+@click.option("--changes", default=100, show_default=True, help="Number of changes of each pair.")
 @click.option("--seed", default=1, show_default=True)
 @click.option("--layouts", is_flag=True, help="Certificates of layouts.")
 @click.option("--sums", is_flag=True, help="Certificates of sums with paths.")
 @click.option("--rounded", is_flag=True, help="Certificates of layouts of rounded pieces.")
 @click.option("--prove", "proved", is_flag=True, help="Prove certificates, unchanged, instead.")
-@click.option("--corpus", is_flag=True, help="Those of the corpus, with --prove.")
+@click.option("--corpus", is_flag=True, help="With --prove: the certificates of the corpus.")
 @click.option("--weaken", "weakened", is_flag=True, help="Weaken lines of the checker instead.")
 @click.option("--every", default=1, show_default=True, help="With --weaken: try every Nth change.")
 def main(

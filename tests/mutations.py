@@ -15,7 +15,7 @@ from rich.table import Table
 
 from exactsweep.paper.claim import Effort
 
-# The tests import one another by bare names, as pytest sets them up.
+# Tests import each other by bare names, as under pytest.
 sys.path.insert(0, str(Path(__file__).parent / "support"))
 import wrong_answers
 import wrong_costs

@@ -1,6 +1,6 @@
 """Words that the project avoids: `python tests/wording.py FOLDER...` lists them with their lines.
 
-Module `test_wording` holds the same. Words are looked for in pages of Markdown outside of code, and
+Module `test_wording` requires that there are none. Words count in Markdown outside of code, and
 in comments, strings and names of sources. Strings of tests are data, except docstrings.
 """
 

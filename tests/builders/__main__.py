@@ -12,7 +12,7 @@ from typing import Any
 
 import click
 
-# The tests import one another by bare names, as pytest sets them up.
+# Tests import each other by bare names, as under pytest.
 sys.path.extend([str(Path(__file__).parents[1]), str(Path(__file__).parents[1] / "support")])
 from builders.shipping import ShippingError, digest, encoded, with_answers, written
 from exactsweep.corpus import themes

@@ -127,7 +127,7 @@ def test_the_simplest_number_between_has_the_least_denominator(p: Fraction, q: F
 
 
 def brute(one: Ring, other: Ring, pieces: int) -> Fraction:
-    """The greatest squared distance of many places on one ring to another ring."""
+    """The greatest squared distance of many points on one ring from another ring."""
     target = [LoopEdge(a, b) for a, b in pairwise([*_whole(other), _whole(other)[0]])]
     best = Fraction(0)
     for a, b in pairwise([*_whole(one), _whole(one)[0]]):
@@ -217,7 +217,7 @@ def test_a_loop_whose_vertices_are_moved_is_close(ring: Ring, data: st.DataObjec
 @patient
 @given(polygons(), polygons(), st.fractions(Fraction(1, 9), 9, max_denominator=9))
 def test_close_regions_are_close_at_many_places(one: Ring, other: Ring, bound: Fraction) -> None:
-    """The definition, tried at places of the boundaries and of the trapezoids between."""
+    """The definition, tested at points of the boundaries and of the trapezoids between."""
     if not are_close([one], [other], bound):
         return
     for ring, target in ((one, other), (other, one)):
@@ -268,7 +268,7 @@ def test_closeness_by_hand(ring: Ring, bound: str, found: bool) -> None:
 
 
 def test_a_long_edge_may_be_off_by_nearly_the_bound() -> None:
-    """No half of the bound reaches across what lies between."""
+    """Half the bound is less than the width of the difference."""
     far = 10**9
     long = points((0, 0), (far, 0), (far, far), (0, far))
     moved = [Point(x + 1, y - 1) for x, y in long]
@@ -296,7 +296,7 @@ def test_a_whisker_of_a_rounded_ring_counts_as_its_boundary() -> None:
 
 
 def test_a_band_along_the_boundary_is_not_the_region() -> None:
-    """All of its boundary is near, on both sides; what it encloses is not."""
+    """All of its boundary is near the other one; its interior is not."""
     e = Fraction(1, 100)
     inner = points((e, e), (4 - e, e), (4 - e, 4 - e), (e, 4 - e))
     assert not are_close([SQUARE], [SQUARE, inner], Fraction(1, 10))
@@ -304,7 +304,7 @@ def test_a_band_along_the_boundary_is_not_the_region() -> None:
 
 
 def test_a_difference_along_a_wall_of_pieces_is_thin() -> None:
-    """No one edge is near all of it."""
+    """No single edge is near the whole difference."""
     wall = points(*((Fraction(k % 2, 100), k) for k in range(5)))
     straight = points((Fraction(1, 200), 0), (9, 0), (9, 4), (Fraction(1, 200), 4))
     ragged = [*points((9, 0), (9, 4)), *wall[::-1]]

@@ -1,4 +1,4 @@
-"""The line that names an error, among all that runtimes write to standard error."""
+"""The line that names an error, in the output of runtimes on standard error."""
 
 import pytest
 
@@ -92,7 +92,7 @@ def test_the_error_is_named_wherever_it_stands(stderr: str) -> None:
 
 
 def test_crashes_of_one_program_are_distinguished() -> None:
-    """All of them end in the same line."""
+    """Their last lines are equal."""
     said = [NODE.format(error, 2) for error in ("TypeError: no", "RangeError: too far")]
     said.append(NODE.format("TypeError: no", 5))
     names = {name_fault(Verdict.CRASH, "exited with code 1", stderr=text) for text in said}

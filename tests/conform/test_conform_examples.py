@@ -1,4 +1,4 @@
-"""The protocol as the README tells it, and the programs to begin with."""
+"""The protocol as the README describes it, and the template programs."""
 
 import json
 import os

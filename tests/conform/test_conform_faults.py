@@ -1,4 +1,4 @@
-"""Implementations with one known fault each get the verdict that belongs to it."""
+"""Implementations with one known fault each get the right verdict."""
 
 import subprocess
 import sys
@@ -110,7 +110,7 @@ def outcomes_of(command: list[str], chosen: Iterable[Case]) -> list[Outcome]:
 
 @few_or_all
 def test_the_correct_one_is_exact_where_it_is_asked(step: int) -> None:
-    """It speaks the old protocol: it is not asked of pairs that share no direction."""
+    """It speaks the old protocol, so pairs without a shared direction are skipped."""
     chosen = [*CASES.values(), *shipped_cases()[::step]]
     outcomes = outcomes_of(CORRECT, chosen)
     for case, outcome in zip(chosen, outcomes, strict=True):

@@ -1,4 +1,4 @@
-"""Diagnoses of rings that are lost, added or moved, word for word."""
+"""The exact text of diagnoses of lost, added or moved rings."""
 
 from fractions import Fraction
 from itertools import islice
@@ -27,7 +27,7 @@ def say(case: Case, name: str, rings: Rings) -> tuple[str, ...]:
 
 
 def test_the_sum_of_boundaries_alone_is_named() -> None:
-    """The boundaries of G inside D, or of D inside G, do not meet: Clipper leaves that open."""
+    """With G inside D, or D inside G, the boundaries are disjoint; Clipper leaves a hole there."""
     small, large = [(0, 0), (1, 0), (0, 1)], [(0, 0), (9, 0), (9, 7), (0, 5)]
     words = (
         "the sum of the boundaries only: positions with one polygon inside the other are missing"

@@ -1,4 +1,4 @@
-"""Processes that misbehave are survived: in bounded memory, and with nothing left running."""
+"""The runner survives misbehaving processes, in bounded memory, and leaves none running."""
 
 import resource
 import sys
@@ -54,7 +54,7 @@ AFTER_BYE = {
 
 @pytest.fixture
 def mark() -> Iterator[str]:
-    """A word for the command line, which no process must have in the end."""
+    """A word for the command line, which no process may have at the end."""
     word = uuid4().hex
     yield word
     eventually(lambda: not processes(word))

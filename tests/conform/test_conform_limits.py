@@ -186,7 +186,7 @@ def test_memory_is_limited_and_reported(tmp_path: Path) -> None:
     assert said == "no hello: holds more than 1.0 MiB"
 
 
-# Messages to a user who has forgotten something.
+# Messages about missing options.
 
 
 def test_an_unflushed_hello_gets_a_hint() -> None:
@@ -205,7 +205,7 @@ def test_a_family_of_processes_may_be_nested_deeper_than_calls(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     class Children:
-        """Of each process the next one, as files under /proc have it."""
+        """The child of each process, in files like those of /proc."""
 
         def __init__(self, name: str) -> None:
             self.pid = int(name.split("/")[2])

@@ -1,4 +1,4 @@
-"""No faulty program is acquitted, and each hears what its mistake is."""
+"""No faulty program passes, and each mistake is named."""
 
 from collections.abc import Callable
 from functools import cache
@@ -53,7 +53,7 @@ def test_a_mistake_is_convicted_and_named(name: str) -> None:
     ],
 )
 def test_correct_programs_pass(numbers: str, to: Callable[[Any], Any], verdict: str) -> None:
-    """The correct program, and the best that doubles and integers can do."""
+    """The correct program, and the best possible answers in doubles and integers."""
     few = find_cases()[::12]
 
     def answer(directrix: Any, generatrix: Any, reference: Any) -> dict[str, Any]:

@@ -1,4 +1,4 @@
-"""Pairs of one's own: in any format, with answers that are made here."""
+"""The user's pairs, in any format, with computed answers."""
 
 import json
 import re

@@ -1,4 +1,4 @@
-"""Pictures of failures: everything is in sight, however small, large or thin."""
+"""Pictures of failures show all polygons, however small, large or thin."""
 
 import re
 from fractions import Fraction

@@ -1,4 +1,4 @@
-"""Runs: side by side, interrupted, gone on with, and in this process."""
+"""Runs: parallel, interrupted, resumed, and in this process."""
 
 import json
 import os
@@ -142,7 +142,7 @@ def test_a_hello_is_read_as_it_was_written() -> None:
     assert read_hello(json.dumps(hello.to_json())) == hello
 
 
-# Side by side.
+# Parallel runs.
 
 
 @pytest.mark.parametrize("workers", [1, 3])
@@ -207,7 +207,7 @@ def test_a_worker_that_is_killed_ends_the_run() -> None:
             judges.finish()
 
 
-# Interrupted, and gone on with.
+# Interrupted and resumed runs.
 
 
 @pytest.mark.usefixtures("heed_interrupts")

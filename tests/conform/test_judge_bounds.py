@@ -1,4 +1,4 @@
-"""However large and noisy an answer is, it is judged by a bounded number of operations."""
+"""Large and noisy answers are judged with a bounded number of operations."""
 
 import json
 import math

@@ -1,4 +1,4 @@
-"""Answered exact fits: each way to be right or wrong, by hand."""
+"""Answered exact fits: each kind of right or wrong answer, by hand."""
 
 from fractions import Fraction
 from typing import Any

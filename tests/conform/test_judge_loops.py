@@ -1,4 +1,4 @@
-"""Loops of answers: all rings count, rounding is what numbers hold there, mistakes are named."""
+"""Loops of answers: all rings count, rounding is granted, mistakes are named."""
 
 from collections.abc import Sequence
 from fractions import Fraction
@@ -30,7 +30,7 @@ def judge(case: Case, loop: object, name: str = "trajectory", **options: Any) ->
 
 
 def test_many_rings_are_judged_as_few_are() -> None:
-    """A sheet with 64 holes; a limit of the judge's is no fault of a program."""
+    """A sheet with 64 holes: a limit of the judge is not a fault of the program."""
     holes = [
         [(3 * i + 1, 3 * j + 1), (3 * i + 2, 3 * j + 1), (3 * i + 2, 3 * j + 2)]
         for i in range(8)
@@ -117,7 +117,7 @@ def test_rounding_may_make_a_loop_flat_either_way(flat: list[tuple[int, int]]) -
 def test_crossing_combs_are_wrong_whose_boxes_differ_already(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
-    """Too many crossings to say how they differ, which is no reason not to say that they do."""
+    """With too many crossings to measure the difference, the judge still finds one."""
     monkeypatch.setattr("exactsweep.conform.judge.region.MAX_WORK", 1000)
     teeth = [(x, 0 if x % 2 else 300) for x in range(61)]
     case = Case.of("comb", "", [*teeth, (60, -9), (0, -9)], [(0, 0), ("1/9", 0), (0, "1/9")])

@@ -199,7 +199,7 @@ def test_inner_fits_are_asked_where_the_case_has_them() -> None:
     roof = find_case("worked-roof")
     with pytest.raises(ValueError, match="not asked: the case is not one of an inner fit"):
         adapt(roof, Hello("x", (), questions=("inner_fit",), shapes="any"))
-    # Answered all the same, it is not looked at.
+    # An answer to a question that was not asked is ignored.
     assert (
         compare(roof, {"no_fit": roof.trajectory.vertices, "inner_fit": [[9]]}).verdict == "exact"
     )

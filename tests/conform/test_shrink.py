@@ -1,4 +1,4 @@
-"""Failing cases are made smaller and keep failing in the same way."""
+"""Failing cases are reduced to smaller ones with the same fault."""
 
 from collections import Counter
 from fractions import Fraction
@@ -20,7 +20,7 @@ def sign_wrong(case: Case) -> Verdict:
 
 
 def overflowing(case: Case) -> Verdict:
-    """A verdict that depends on the size of numbers alone."""
+    """A verdict that depends only on the size of numbers."""
     largest = max(abs(c) for point in case.directrix_ring for c in point)
     return Verdict.WRONG if largest > 2**20 else Verdict.EXACT
 
@@ -72,7 +72,7 @@ def test_fractions_and_the_reference_point_go() -> None:
 
 
 def test_shrinking_adds_no_flag() -> None:
-    """A program that loses what is long fails on repeated vertices, too: that is another story."""
+    """A program that loses long edges also fails on repeated vertices, which is another fault."""
 
     def loses_long_rings(case: Case) -> Verdict:
         fails = len(case.directrix) > 4 or "repeated-vertex" in case.flags
@@ -85,7 +85,7 @@ def test_shrinking_adds_no_flag() -> None:
 
 
 def test_a_fault_stays_the_same() -> None:
-    """A case that crashes in one way for triangles must not become one that crashes in another."""
+    """A case with one crash must not become a case with another crash."""
     case = find_case("gen-monotone-1-0")
 
     def crash(directrix: Any, generatrix: Any, reference: Any) -> Any:

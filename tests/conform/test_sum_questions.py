@@ -1,4 +1,4 @@
-"""Programs that compute a + b are asked for that."""
+"""Questions for programs that compute a + b."""
 
 import json
 import re

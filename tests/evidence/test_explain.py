@@ -19,7 +19,7 @@ from exactsweep.text.explanation import tell
 
 SQUARE = [(0, 0), (1, 0), (1, 1), (0, 1)]
 SLOT = [(0, 0), (3, 0), (3, 5), (2, 5), (2, 1), (1, 1), (1, 3), (0, 3)]
-# A step that is short against every feature.
+# A step much shorter than every feature.
 SHORT = Fraction(1, 10**60)
 
 patient = examples(60)
@@ -40,7 +40,7 @@ def sweeps() -> st.SearchStrategy[Sweep]:
 
 
 def turned_sweeps() -> st.SearchStrategy[Sweep]:
-    """The shared direction is another one, and the first vertex somewhere on the way."""
+    """Sweeps whose shared direction is not the X axis, starting at an arbitrary vertex."""
 
     def turned(polygon: Polygon) -> Polygon:
         return Polygon([(x - 2 * y, 3 * x + y) for x, y in polygon.vertices])
@@ -64,7 +64,7 @@ def known() -> Iterator[Sweep]:
 
 
 def also_known(law: Callable[[Sweep], None]) -> Callable[[Sweep], None]:
-    """Have a law hold for some sweeps with several contacts at once, before others are drawn."""
+    """Try a law first on some sweeps with several simultaneous contacts."""
     for s in known():
         law = example(s)(law)
     return law
@@ -88,7 +88,7 @@ def vector(p: Point, q: Point) -> tuple[Fraction, Fraction]:
 
 
 def share(step: Step, point: Point) -> Fraction:
-    """Return the place of a point on the step's line: 0 at the start, 1 at the end."""
+    """Return the parameter of a point on the step's line: 0 at the start, 1 at the end."""
     (dx, dy), (px, py) = vector(step.start, step.end), vector(step.start, point)
     assert dx * py == dy * px
     return px / dx if dx else py / dy
@@ -157,7 +157,7 @@ def test_a_corner_is_where_g_would_leave_and_a_stop_where_it_would_overlap(s: Sw
 
 
 def ends_of(polygon: Polygon) -> dict[int, set[int]]:
-    """The numbers of the ends of each edge, as given."""
+    """The input indices of the ends of each edge."""
     vertex, edge, size = polygon.vertex_index, polygon.edge_index, len(polygon)
     return {edge(k): {vertex(k), vertex((k + 1) % size)} for k in range(size)}
 

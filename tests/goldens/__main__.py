@@ -15,7 +15,7 @@ from typing import Any
 
 import click
 
-# The tests import one another by bare names, as pytest sets them up.
+# Tests import each other by bare names, as under pytest.
 sys.path.extend(
     f"{Path(__file__).parents[1]}/{folder}"
     for folder in ("", "support", "batch", "check", "cli", "conform", "formats", "layout")

@@ -126,7 +126,7 @@ def write_points(points: Any) -> str:
 
 
 def list_artists(axes: Axes) -> Iterator[str]:
-    """Describe what is on an Axes, a line for each thing."""
+    """Describe the artists of an Axes, one per line."""
     labels = axes.get_title(), axes.get_title(loc="right"), axes.get_xlabel(), axes.get_ylabel()
     yield f"axes {' | '.join(labels)}, aspect {axes.get_aspect()}"
     for line in axes.lines:
@@ -255,7 +255,7 @@ def _write(value: Any) -> str:
 
 
 def list_exports() -> Iterator[str]:
-    """Cases of the corpus in the formats of other programs, and in words."""
+    """Cases of the corpus in the formats of other programs, and described."""
     beyond = Case.of("beyond", "Beyond doubles", [(0, 0), (10**309, 0), (0, 1)], SQUARE)
     shown = [*map(find_case, CASES), beyond]
     yield from cases_to_wkt(shown)
@@ -285,8 +285,8 @@ def list_growing() -> Iterator[str]:
 def list_generated() -> Iterator[str]:
     """The digests and flags of generated cases, family by family, and three of them in full.
 
-    The first three cases of seed 7 must never change, nor must any other: ids keep their meaning.
-    The flags show whether a family aims at what it says.
+    Cases must never change, because ids keep their meaning. The flags show whether a family has the
+    properties that it is meant to have.
     """
     parts = "id", "directrix", "generatrix", "reference", "directrix_holes", "generatrix_holes"
     for family in FAMILIES:
@@ -313,7 +313,7 @@ def list_scales() -> Iterator[str]:
 
 
 def list_report() -> Iterator[str]:
-    """A report of some rows, as at no time on no machine; the costs; a counterexample, drawn."""
+    """A report of some rows without time and machine; the costs; a drawn counterexample."""
     names = ("Definition 1.1", "Lemma 5.3", "Trajectory_CC", "Slope")
     rows = [row._replace(seconds=1.25) for row in reproduce(map(find, names), Effort(quick=True))]
     points = tuple(Size(8 << k, 16, 100 << 2 * k, 8 << k) for k in range(3))

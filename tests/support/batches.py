@@ -30,7 +30,7 @@ def size(path: Path) -> int:
 
 
 def wait_for(condition: Callable[[], object], process: subprocess.Popen[str]) -> None:
-    """Wait until something is so, or the process has ended."""
+    """Wait until a condition holds or the process has ended."""
     eventually(lambda: condition() or process.poll() is not None)
 
 

@@ -1,8 +1,8 @@
-"""Seeded pairs of polygons: every class, and every degeneracy on purpose.
+"""Seeded pairs of polygons of every class, with deliberate degeneracies.
 
-All shapes are x-monotone as they are built, on small integer grids where features meet often; then
-the pair is placed: scaled, moved, turned, spelled otherwise. One `random.Random` decides
-everything, so that a pair is known by its seed.
+All shapes are first X-monotone, on small integer grids where features often coincide. Then the
+pair is scaled, moved, rotated, and its vertices are listed differently. The only source of
+randomness is one `random.Random`, so the seed reproduces a pair.
 """
 
 import random

@@ -1,7 +1,7 @@
 """An adversary against certificates of layouts: `python -m tests.falsify --layouts`.
 
-He moves, turns or mirrors one placement, or changes a number, and has the finder fill in the pieces
-and the witnesses; where no normal parts two pieces, he writes one that comes near to it.
+It moves, turns or mirrors one placement, or changes a number, and lets the finder add the pieces
+and the witnesses; where no normal separates two pieces, it writes the nearest one.
 """
 
 from __future__ import annotations

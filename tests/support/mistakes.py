@@ -46,7 +46,7 @@ from exactsweep.conform.run.protocol import Hello, Numbers
 from exactsweep.corpus import Case
 from exactsweep.geometry.vectors import find_hull
 
-# Verdicts, by what they say.
+# Verdicts by message.
 DIFFERS = ("conservative", "unsound", "wrong")
 LARGER = ("conservative", "wrong")
 SMALLER = ("unsound", "wrong")
@@ -55,7 +55,7 @@ FALSE = ("false exact fits",)
 BROKEN = ("malformed",)
 ANY = (*DIFFERS, *BROKEN)
 
-# The message on a wrong loop that happens to be exact for something else.
+# The message on a wrong loop that is the exact answer to another question.
 OR_ELSE = "|exact for|itself|hull|bounding box"
 ONE_OFF = "one vertex is wrong"
 LACKS = f"lacks one vertex|lacks vertices{OR_ELSE}"
@@ -66,11 +66,11 @@ class Mistake(NamedTuple):
     """A mistake.
 
     Attributes:
-        change: makes it; answers that it leaves as they are are right.
-        verdicts: that wrong answers may get.
+        change: makes it; unchanged answers are right.
+        verdicts: the allowed verdicts on wrong answers.
         says: a regular expression that matches a message on each wrong answer.
-        part: of what is answered, the one that holds positions.
-        numbers: what the program says that it reads.
+        part: the part of the answer that has positions.
+        numbers: the numbers in the program's hello.
     """
 
     change: Change

@@ -1,4 +1,4 @@
-"""Paths for sums, degenerate on purpose."""
+"""Degenerate paths for sums."""
 
 from fractions import Fraction
 from random import Random

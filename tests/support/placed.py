@@ -1,6 +1,6 @@
 """Containers with placed shapes, and the positions of a part compared with `classify`.
 
-One `random.Random` decides everything, so that a scene is known by its seed.
+The only source of randomness is one `random.Random`, so the seed reproduces a scene.
 """
 
 from collections.abc import Callable, Iterator

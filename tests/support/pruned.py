@@ -22,7 +22,7 @@ def rings(cells: Cells, matrix: tuple[int, int, int, int]) -> list[list[Vertex]]
 
 @contextmanager
 def pruning(*, thin: bool, wide: bool) -> Iterator[None]:
-    """Run each pruning step on all pairs, however small, or on none."""
+    """Run each pruning step on all pairs, even small ones, or on none."""
     with (
         patch.object(neighbours, "_FEW", 0),
         patch.object(cover, "_FEW", 1),
@@ -48,7 +48,7 @@ STEPS = [(thin, wide) for thin in (True, False) for wide in (True, False)]
 
 
 def require_the_same_without_steps(stationary: Rings, orbiting: Rings) -> None:
-    """Find the no-fit polygon and an inner fit with each of the steps, with both, with none."""
+    """Require the same answers with each of the steps, with both, and with none."""
     container = [[(3 * x, 3 * y) for x, y in ring] for ring in stationary]
     found: list[tuple[Free, FreeRegions]] = []
     for thin, wide in STEPS:

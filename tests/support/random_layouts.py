@@ -1,6 +1,6 @@
 """Seeded random layouts of 2 to 60 parts: jigsaws, rows, and heaps.
 
-One `random.Random` decides everything, so that a layout is known by its seed.
+The only source of randomness is one `random.Random`, so the seed reproduces a layout.
 """
 
 from collections.abc import Callable

@@ -33,8 +33,8 @@ class Writing(NamedTuple):
         rings: writes the rings of a part, given its exact fits; None where it does not apply.
         fits: writes the list of exact fits.
         number: writes a number.
-        numbers: what the program says that it reads.
-        verdicts: that right answers may get.
+        numbers: the numbers in the program's hello.
+        verdicts: the allowed verdicts on right answers.
     """
 
     rings: Callable[[Rings, list[Fit]], Any] = lambda rings, fits: rings
@@ -70,7 +70,7 @@ def turn(ring: Ring, k: int) -> Ring:
 
 
 def keyhole(start: Callable[[Ring], Ring]) -> Callable[[Rings, list[Fit]], Any]:
-    """All rings as one: from its start to the start of each other one, around it and back."""
+    """All rings as one: from its start to the start of each other ring, around it and back."""
 
     def change(rings: Rings, fits: list[Fit]) -> Any:
         if len(rings) < 2:
@@ -173,7 +173,7 @@ def join_touching(rings: Rings, fits: list[Fit]) -> Any:
 
 
 def open_pinches(ulps: int) -> Callable[[Rings, list[Fit]], Any]:
-    """Rings that touch as one, with a neck at the common place that is some ulps wide."""
+    """Rings that touch as one, with a neck of a few ulps at the common point."""
 
     def change(rings: Rings, fits: list[Fit]) -> Any:
         left = [list(ring) for ring in rings]
@@ -197,7 +197,7 @@ def open_pinches(ulps: int) -> Callable[[Rings, list[Fit]], Any]:
 
 
 def close_pinches(rings: Rings, fits: list[Fit]) -> Any:
-    """Rings that touch, each moved by an ulp at the common place, in directions of their own."""
+    """Rings that touch, each moved by an ulp at the common point, in different directions."""
     shared = {p for k, ring in enumerate(rings) for p in ring for r in rings[:k] if p in r}
 
     def move(p: Point, k: int) -> Point:
@@ -208,7 +208,7 @@ def close_pinches(rings: Rings, fits: list[Fit]) -> Any:
 
 
 def slit(ring: Ring) -> Ring:
-    """From its first vertex straight to another one and back, wherever that leads."""
+    """A straight slit from the first vertex to another one and back, even outside."""
     middle = ring[len(ring) // 2]
     return [ring[0], middle, *ring]
 
@@ -319,10 +319,10 @@ WRITINGS: dict[str, Writing] = {
 
 
 def write(case: Case, name: str, writing: Writing) -> dict[str, Any] | None:
-    """Write one part of the exact answer; None where this cannot be done so.
+    """Write one part of the exact answer; None if the spelling does not apply.
 
     Raises:
-        OverflowError: the numbers are too large for that.
+        OverflowError: the numbers are too large for the spelling.
     """
     listed = FITS_OF.get(name, "")
     fits = list(list_exact_fits(case, listed or name)) if listed or name == SUM else []
@@ -346,7 +346,7 @@ def list_parts(case: Case) -> Iterator[str]:
 
 
 class Conviction(NamedTuple):
-    """A right answer that is convicted, or did not get the verdict that it should."""
+    """A right answer with a wrong verdict."""
 
     case: str
     part: str
@@ -364,7 +364,7 @@ class JudgedWriting(NamedTuple):
 def judge_writing(
     writing: Writing, chosen: Iterable[Case], parts: Collection[str] = ()
 ) -> JudgedWriting:
-    """Write parts of exact answers in a way, all if none is named, and judge them."""
+    """Write parts of exact answers in one spelling, by default all parts, and judge them."""
     hello = Hello("right", numbers=writing.numbers, shapes="any")
     count, convicted = 0, []
     for case in chosen:

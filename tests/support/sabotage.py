@@ -1,8 +1,8 @@
-"""Faults that are put into the kernel, each with the rows of the ledger that must notice.
+"""Faults injected into the kernel, each with the rows of the ledger that must detect it.
 
-A sabotage is a function that takes a right procedure and returns a wrong one. It is put in the
-place of the right one in every module of the package that has it by name. Some faults show in
-seconds alone; these are timed, in a full run of their rows, and are no part of the test suite.
+A sabotage is a function that takes a right procedure and returns a wrong one, which replaces it in
+every module of the package that imports it by name. Some faults show only in seconds; these are
+timed, in a full run of their rows, and are not in the test suite.
 `sabotage.toml` lists rows by fault.
 """
 
@@ -21,7 +21,7 @@ from exactsweep.paper.ledger import CHECKS, CLAIMS, FIGURES, find, read_rows
 Procedure = Callable[..., Any]
 Sabotage = Callable[[Procedure], Procedure]
 
-# A module that is loaded while the kernel is broken would keep what is wrong.
+# A module that is first imported while the kernel is broken would keep the wrong procedure.
 MODULES = [costs] + [
     resolve_name(f"{folder}.{name.split('.')[0]}")
     for row in read_rows()
@@ -34,7 +34,7 @@ MODULES = [costs] + [
 
 
 class Mutation(NamedTuple):
-    """A procedure, what takes its place, and rows that must notice; by the clock, if timed."""
+    """A procedure, its replacement, and the rows that must detect it; `timed` if by seconds."""
 
     fault: str
     procedure: Procedure
@@ -50,7 +50,7 @@ ROWS = tomllib.loads(Path(__file__).with_suffix(".toml").read_text(encoding="utf
 def sabotage(
     fault: str, procedure: Procedure, *rows: str, timed: bool = False
 ) -> Callable[[Sabotage], Sabotage]:
-    """Register a function as a sabotage of a procedure that some rows must notice.
+    """Register a function as a sabotage of a procedure that some rows must detect.
 
     These are the rows of the fault in `sabotage.toml`, unless they are given.
     """
@@ -64,7 +64,7 @@ def sabotage(
 
 @contextmanager
 def mutated(mutation: Mutation) -> Iterator[None]:
-    """Break the kernel for a while."""
+    """Break the kernel inside a `with` block."""
     right = mutation.procedure
     wrong = mutation.wrong(right)
     places = [

@@ -1,6 +1,6 @@
-"""Seeded pairs of shapes of any kind: the corpus's families, of parts of huge or minute size, too.
+"""Seeded pairs of shapes of any kind: the families of the corpus, with extreme sizes.
 
-One `random.Random` decides everything, so that a pair is known by its seed.
+The only source of randomness is one `random.Random`, so the seed reproduces a pair.
 """
 
 import math
@@ -19,7 +19,7 @@ SCALES = [Fraction(1), Fraction(1), Fraction(7, 3), Fraction(10**30), Fraction(1
 
 
 class ShapePair(NamedTuple):
-    """D and G, and where they come from."""
+    """D, G and their origin."""
 
     family: str
     placement: str

@@ -1,4 +1,4 @@
-"""The interactive page as a browser shows it."""
+"""The interactive page in a browser."""
 
 from __future__ import annotations
 
@@ -29,12 +29,12 @@ MILLISECONDS = 1000 * PATIENCE
 
 
 class Shown:
-    """A page in the browser, and what it complained about."""
+    """A page in the browser, and its error messages."""
 
     def __init__(self, browser: Any, file: Path, **options: Any) -> None:
         self.complaints: list[str] = []
         self.requests: list[str] = []
-        # A tab of the context that exists takes half the time of one with its own.
+        # A tab in the existing context takes half the time of one with a new context.
         context = browser if options else browser.contexts[0]
         self.tab = context.new_page(**({"viewport": SIZE, **options} if options else {}))
         self.tab.set_default_timeout(MILLISECONDS)
@@ -45,7 +45,7 @@ class Shown:
         self.settle()
 
     def settle(self) -> None:
-        """Wait until all is drawn and written."""
+        """Wait until the page is drawn and its texts are written."""
         # The next frame draws the findings of one frame, such as the size.
         self.tab.evaluate(
             "() => new Promise(f => requestAnimationFrame(() => requestAnimationFrame("

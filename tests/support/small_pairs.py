@@ -1,4 +1,4 @@
-"""Small pairs of all classes, drawn afresh or bred from others; shapes are lists of rings.
+"""Small pairs of all classes, random or mutated from others; shapes are lists of rings.
 
 The exterior comes first; coordinates are ints.
 """
@@ -71,7 +71,7 @@ def bent(rng: Random) -> Shape:
 
 @cache
 def _bent(number: int) -> Shape:
-    """Draw a shape of a table, for most small shapes are monotone to some direction."""
+    """Draw a shape from a table, because most small shapes are monotone to some direction."""
     rng = Random(number)
     while shares_direction(SmallPair(shape := rng.choice([tangle, clump])(rng), shape)):
         pass
@@ -108,7 +108,7 @@ STRETCHED = [
 
 
 def draw(rng: Random) -> SmallPair:
-    """A pair of any class but SS, turned by quarters, turned over, or stretched, perhaps."""
+    """A pair of any class but SS, perhaps rotated by quarter turns, mirrored or scaled."""
     return _placed(rng, _draw_pair(rng, CLASSES))
 
 
@@ -154,7 +154,7 @@ def _dented(rng: Random) -> Shape:
 
 
 def _cut_out(rng: Random, side: int, width: int, tries: int, margin: int = 0) -> Shape:
-    """Cut boxes, triangles and quadrangles out of a square, as many as leave it in one piece."""
+    """Cut boxes, triangles and quadrilaterals out of a square while it stays connected."""
     rings: Shape = [_box(0, 0, side)]
     for _ in range(tries):
         left, low = (rng.randint(margin, side - width - margin) for _ in "xy")
@@ -262,7 +262,7 @@ def _insert(rng: Random, shapes: list[Shape], k: int) -> None:
 
 
 def _copy_edge(rng: Random, shapes: list[Shape], k: int) -> None:
-    """An edge of one becomes parallel to one of the other, and as long."""
+    """Make an edge of one polygon equal to an edge vector of the other."""
     ring, other = shapes[k][0], shapes[1 - k][0]
     if len(shapes[k]) == 1:
         i, j, sign = rng.randrange(len(ring)), rng.randrange(len(other)), rng.choice([1, -1])
@@ -288,7 +288,7 @@ _CHANGES = [_move, _move, _move, _insert, _drop, _copy_edge, _double, _exchange,
 
 
 def shrink(pair: SmallPair, fails: Callable[[SmallPair], bool]) -> SmallPair:
-    """The smallest failing pair that dropping and moving single vertices leads to."""
+    """Reduce a failing pair by dropping and moving single vertices."""
     while True:
         for candidate in sorted(_smaller(pair), key=SmallPair.size):
             is_smaller = all(map(_is_sound, candidate)) and candidate.size() < pair.size()

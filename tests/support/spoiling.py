@@ -1,7 +1,7 @@
 """Functions that spoil an exact answer.
 
-Each is a function of a case, as it is put to the program, and of its exact answer, rings by part.
-It gives the wrong answer, or None where it cannot be made.
+Each maps a case, as the program gets it, and its exact answer, rings by part, to a wrong answer, or
+to None if it does not apply.
 """
 
 from __future__ import annotations
@@ -41,27 +41,27 @@ def answer_exactly(case: Case, part: str) -> Answer:
 
 
 def on(part: str, change: Callable[[Ring], Any]) -> Change:
-    """A change of each ring of a part."""
+    """Change each ring of a part."""
     return lambda case, answer: {**answer, part: [change(ring) for ring in answer[part]]}
 
 
 def on_all(part: str, change: Callable[[list[Ring]], Any]) -> Change:
-    """A change of all rings of a part, or of its exact fits, where there are any."""
+    """Change all rings of a part, or its exact fits, if there are any."""
     return lambda case, answer: answer[part] and {**answer, part: change(answer[part])}
 
 
 def put(part: str, rings: Callable[[Case], Any]) -> Change:
-    """Other rings in the place of a part."""
+    """Replace the rings of a part."""
     return lambda case, answer: {**answer, part: rings(case)}
 
 
 def add(part: str, ring: Callable[[Case], Any]) -> Change:
-    """One ring more, or one exact fit."""
+    """Add a ring or an exact fit."""
     return lambda case, answer: (found := ring(case)) and {**answer, part: [*answer[part], found]}
 
 
 def map_points(part: str, mapping: Callable[[Case], Callable[[Any, Any], Any]]) -> Change:
-    """Another function of all positions."""
+    """Map all positions by a function."""
 
     def change(case: Case, answer: Answer) -> Answer | None:
         if not answer[part]:
@@ -133,7 +133,7 @@ def turns(loop: Ring) -> list[Any]:
 
 
 def if_simple(found: Ring, loop: Ring) -> Ring:
-    """A changed loop, or the loop as it was."""
+    """The changed loop if it is simple, else the original one."""
     try:
         Polygon(found)
     except ValueError:
@@ -142,7 +142,7 @@ def if_simple(found: Ring, loop: Ring) -> Ring:
 
 
 def lose(sign: int, choose: Callable[[list[int], list[Any]], int]) -> Callable[[Ring], Ring]:
-    """Lose one vertex that turns to a side: a notch, a place to slide into, if that is -1."""
+    """Lose one vertex that turns to a side: for -1 a notch, into which G can slide."""
 
     def change(loop: Ring) -> Ring:
         sizes = turns(loop)
@@ -170,7 +170,7 @@ def push(sign: int, share: str) -> Callable[[Ring], Ring]:
 
 
 def where(condition: Callable[[Case], bool], change: Change) -> Change:
-    """A mistake that only some input brings out."""
+    """A mistake that affects only some input."""
     return lambda case, answer: change(case, answer) if condition(case) else None
 
 
@@ -200,7 +200,7 @@ def to_float32(c: Any) -> float:
 
 
 def one_unit_too_far(case: Case, answer: Answer) -> Answer:
-    """Floats, the first vertex further off than is granted, by one unit in the last place."""
+    """Floats whose first vertex is off by one unit in the last place more than granted."""
     (exact,) = answer["trajectory"]
     loop = [(float(x), float(y)) for x, y in exact]
     granted = grant_rounding(case, "trajectory", read_loop(loop, ""), "binary64")
@@ -212,7 +212,7 @@ def one_unit_too_far(case: Case, answer: Answer) -> Answer:
 
 
 def far(*places: tuple[int, int]) -> Callable[[Case], Ring]:
-    """Points far to the right of everything."""
+    """Points far to the right of all polygons."""
 
     def find(case: Case) -> Ring:
         low, high = case.outer.bounding_box

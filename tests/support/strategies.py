@@ -1,4 +1,4 @@
-"""Polygons by construction: every class, and degenerate on purpose.
+"""Polygons of every class, valid by construction, many of them degenerate.
 
 Everything here yields a `Polygon`, or a pair of them; nothing is filtered. The seeded families
 build shapes on a small integer grid, where features meet often. The shapes are then scaled
@@ -44,7 +44,7 @@ def points(*pairs: tuple[object, object]) -> tuple[Point, ...]:
 
 
 def seeded(*makers: Callable[[Random], Any]) -> st.SearchStrategy[Any]:
-    """Strategy of a value that one of some functions makes with a seeded `Random`."""
+    """Make a strategy of functions that take a seeded `Random`."""
     seeds = st.integers(0, 2**32 - 1).map(Random)
     return seeds.map(lambda random: random.choice(makers)(random))
 

@@ -1,4 +1,4 @@
-"""The number of trials: a few examples in the plain run, many or all in the long one."""
+"""The number of examples: few in the plain run, many or all in the long run."""
 
 from collections.abc import Collection
 

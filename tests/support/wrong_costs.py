@@ -15,7 +15,7 @@ Waste = Callable[..., object]
 
 
 def before(waste: Waste) -> Sabotage:
-    """Work in vain on the arguments first, and keep what comes of it meanwhile."""
+    """Do useless work on the arguments first, and keep its result meanwhile."""
 
     def wrong(right: Procedure) -> Procedure:
         def procedure(*arguments: Any) -> Any:
@@ -30,7 +30,7 @@ def before(waste: Waste) -> Sabotage:
 
 
 def after(waste: Waste) -> Sabotage:
-    """Work in vain on the answer and the arguments."""
+    """Do useless work on the answer and the arguments."""
 
     def wrong(right: Procedure) -> Procedure:
         def procedure(*arguments: Any) -> Any:
@@ -70,7 +70,7 @@ def restart(right: Procedure) -> Procedure:
 
 
 def compare_all(first: Any, second: Any) -> None:
-    """Compare every vertex of a chain with every one of another, which is counted."""
+    """Compare all vertices of two chains, which counts as operations."""
     for x, _ in first:
         for other, _ in second:
             x < other  # noqa: B015
@@ -119,7 +119,7 @@ def concatenate(found: Any, *arguments: Any) -> None:
 
 
 def copy_for_each(found: Any, *arguments: Any) -> None:
-    """Copy all that comes out once for each vertex of it."""
+    """Copy the whole result once for each of its vertices."""
     for points in map(list, found if isinstance(found, tuple) else (found,)):
         for _ in points:
             list(points)

@@ -124,7 +124,7 @@ def close_at_first(right: Procedure) -> Procedure:
 
 
 def change_fits(change: Callable[[Any, Any], Any]) -> Callable[[Procedure], Procedure]:
-    """Change the far end of each exact fit, or leave it out where that is None."""
+    """Change the far end of each exact fit; drop the fit if the new end is None."""
 
     def wrong(right: Procedure) -> Procedure:
         def exact_fits(*arguments: Any) -> Any:

@@ -41,7 +41,7 @@ def lose_middle(points: Any, fewest: int = 0) -> Any:
 
 
 def lose_corner_of_large(right: Procedure) -> Procedure:
-    """A corner is lost where the second argument has more than 40 vertices."""
+    """Lose a corner if the second argument has more than 40 vertices."""
     return lambda *arguments: lose_middle(
         right(*arguments), 0 if len(list(arguments[1])) > 40 else 10**9
     )

@@ -12,7 +12,7 @@ Change = Callable[[Any], Any]
 
 
 def changing(**changes: Change) -> Sabotage:
-    """Change some fields of what a procedure gives."""
+    """Change some fields of a procedure's result."""
 
     def sabotaged(right: Procedure) -> Procedure:
         def wrong(*arguments: Any) -> Any:
@@ -26,7 +26,7 @@ def changing(**changes: Change) -> Sabotage:
 
 
 def giving(change: Change) -> Sabotage:
-    """Change all that a procedure gives."""
+    """Change a procedure's whole result."""
     return lambda right: lambda *arguments: change(right(*arguments))
 
 
