@@ -69,7 +69,7 @@ def measure_pair(job: Job) -> float:
 
 
 def tabulate(*, workers: int, quick: bool) -> Iterator[Table]:
-    """The measured batches, and the model for these and for a large one."""
+    """Measured batches, and a cost model for these and for a large one."""
     with TemporaryDirectory() as folder:
         jobs = []
         for side in SIDES[:3] if quick else SIDES:

@@ -82,7 +82,7 @@ def tile(number: int, vertices: int, *, gap: bool, seed: int = 1) -> Layout:
 
 
 def draw_border(random: Random, inner: int) -> Offsets:
-    """The inner points of a border: how far along it they are, and how far off it."""
+    """The inner points of a border: distance along it, and distance from it."""
     found = []
     for k in range(1, inner + 1):
         along = CELL * k // (inner + 1)

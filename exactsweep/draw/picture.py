@@ -149,7 +149,7 @@ class Picture:
         self.axes.set(xticks=[], yticks=[], xlabel="", ylabel="")
 
     def legend(self) -> None:
-        """Put the legend right of the picture, or below if it is higher than the picture."""
+        """Put the legend right of the picture, or below it if the legend is taller."""
         if not self.scale.is_true:
             self.axes.set_box_aspect(_STRETCHED_ASPECT)
         entries = len(self.axes.get_legend_handles_labels()[1])

@@ -35,7 +35,7 @@ _VERDICTS: dict[Relation, _RelationName] = {
 
 
 class Overlap:
-    """The relation of two shapes where they are; made by `overlap`.
+    """The relation of two shapes in place; made by `overlap`.
 
     Each property is computed on first access, exactly. Two overlaps are equal if their shapes are.
 

@@ -115,7 +115,7 @@ class JsonNode(NamedTuple):
 
 
 def write_ring(points: Sequence[Point]) -> list[list[str]]:
-    """Write points as Layout JSON has them, without a repeated last one."""
+    """Write points as in Layout JSON, without a repeated last one."""
     closed = len(points) > 1 and points[0] == points[-1]
     return [[*map(format_fraction, point)] for point in points[: -1 if closed else None]]
 

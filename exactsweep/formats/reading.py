@@ -209,7 +209,7 @@ class Reading:
 
 
 def read_positive(value: object, name: str) -> Fraction | None:
-    """Read a positive number of a caller; None stays None."""
+    """Read a positive number from the caller; None stays None."""
     if value is None:
         return None
     with name_refusals(name, FormatError):

@@ -1,4 +1,4 @@
-"""Canonical rings: conversion of closed lines, or rejection; area and centroid."""
+"""Canonical rings: conversion or rejection of closed lines; area and centroid."""
 
 from collections.abc import Sequence
 from fractions import Fraction

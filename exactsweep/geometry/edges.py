@@ -42,7 +42,7 @@ class EdgeIndex:
 
     @cached_property
     def is_path(self) -> bool:
-        """True if the rings enclose no area."""
+        """Whether the rings enclose no area."""
         return not sum(cross(ring[k - 1], ring[k]) for ring in self.rings for k in range(len(ring)))
 
     @cached_property

@@ -256,7 +256,7 @@ class Polygon(PointSet):
         return len(self._vertex_index)
 
     def index(self, vertex: object, start: int = 0, stop: int | None = None) -> int:
-        """Return the number of a vertex; raise ValueError if it is none, as a tuple does."""
+        """Return the index of a vertex; raise ValueError if there is none, as a tuple does."""
         return self.vertices.index(cast(Point, vertex), start, len(self) if stop is None else stop)
 
     def count(self, vertex: object) -> int:

@@ -124,7 +124,7 @@ def find_squares(rings: Rings, side: int) -> tuple[int, int, list[int], list[int
 def split(
     segment: ContactSegment, side: int, lowest: int, columns: Mapping[int, int]
 ) -> Iterator[ContactSegment]:
-    """Yield the pieces of a segment that leave the covered squares, listed by column.
+    """Yield the pieces of a segment outside the covered squares, which are listed by column.
 
     Squares have the given side; their lowest bit is in row `lowest`.
     """

@@ -1,4 +1,4 @@
-"""Results in every format, rounded so that they surely permit no overlap, and read again."""
+"""Results in every format, rounded so that they permit no overlap, then read back."""
 
 import json
 from pathlib import Path

@@ -1,4 +1,4 @@
-"""Progress: long commands show it on a terminal, and only there, after a second."""
+"""Long commands show progress after a second, and only on a terminal."""
 
 import re
 from collections.abc import Callable, Iterator

@@ -77,7 +77,7 @@ def answer_of(case: Case) -> list[Fraction]:
 
 
 def fits_binary64(value: Fraction) -> bool:
-    """By the definition: 53 bits, the last of them worth 2**-1074 or more, below 2**1024."""
+    """By definition: 53 bits, the last one worth at least 2**-1074, below 2**1024."""
     n, d = abs(value.numerator), value.denominator
     if d & (d - 1):
         return False

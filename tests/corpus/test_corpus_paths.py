@@ -1,4 +1,4 @@
-"""Sums of a shape and a path: they are answered exactly, and float unions have their areas."""
+"""Sums of a shape and a path are exact, and unions in floats have the same areas."""
 
 import json
 from fractions import Fraction

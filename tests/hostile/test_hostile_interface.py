@@ -247,7 +247,7 @@ READERS: dict[type, tuple[Callable[..., Any], dict[str, Any]]] = {
 
 
 def arguments_of(name: str) -> dict[str, Any]:
-    """Good arguments for a public function: those of VALID, by their names, and defaults."""
+    """Valid arguments for a public function: those in VALID, by name, and defaults."""
     parameters = inspect.signature(PUBLIC[name]).parameters.values()
     plain = {p.name: p for p in parameters if p.kind is not p.VAR_KEYWORD}
     good = BY_NAME | {key: p.default for key, p in plain.items() if p.default is not p.empty}

@@ -49,7 +49,7 @@ NAN = float("nan")
 
 
 def tell(value: object, hint: object) -> str | None:
-    """Return the message of a function that fails on a value; None if its failure passes."""
+    """Return the error message of a function on a value; None for an allowed failure."""
 
     def fail(argument: Any) -> None:
         raise OwnError

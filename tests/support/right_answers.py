@@ -113,7 +113,7 @@ def hang(rings: Rings, fits: list[Fit]) -> Any:
 
 
 def as_rings(*order: int) -> Callable[[Rings, list[Fit]], Any]:
-    """Each fit as a ring of its ends."""
+    """Write each fit as a ring of its ends."""
     return lambda rings, fits: (
         [*rings, *([fit[k] for k in order] for fit in fits)] if fits else None
     )

@@ -65,7 +65,7 @@ def clump(rng: Random) -> Shape:
 
 
 def bent(rng: Random) -> Shape:
-    """A shape that is monotone to no direction."""
+    """A shape that is monotone in no direction."""
     return _bent(rng.randrange(TABLE))
 
 

@@ -1,4 +1,4 @@
-"""CGAL: its Minkowski sums, by every strategy that it has, in a program to be compiled.
+"""Minkowski sums by CGAL, by each of its strategies, in a program to be compiled.
 
 Promise: exact sums of simple polygons, by the kernel with exact constructions.
 

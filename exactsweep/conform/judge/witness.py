@@ -92,7 +92,7 @@ def list_exact_fits(case: Case, name: str) -> tuple[Fit, ...]:
 
 
 class WitnessError(ExactSweepError):
-    """A case whose expected answer contradicts the definition; the message names the place."""
+    """A case whose expected answer contradicts the definition; the message says where."""
 
 
 def find_witness(case: Case, name: str, theirs: PointRings, cells: Iterable[Trapezoid]) -> Witness:

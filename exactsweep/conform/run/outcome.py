@@ -123,7 +123,7 @@ def judge_case(peer: Peer, case: Case, rounding: Fraction | None = None) -> Outc
 
 
 def ask(peer: Peer, case: Case) -> tuple[Case, Answer]:
-    """Ask a program an adapted case; return the adapted case and the answer."""
+    """Send a program an adapted case; return the adapted case and the answer."""
     try:
         put = adapt(case, peer.hello)
     except UnsupportedError as error:

@@ -97,7 +97,7 @@ class Hello:
 
 
 def make_hello(said: Mapping[str, object]) -> Hello:
-    """Make a Hello of the members of the first line; raise ProtocolError if they are invalid."""
+    """Make a Hello from the members of the first line; raise ProtocolError if they are invalid."""
     for member in said:
         if member not in _MEMBERS:
             raise ProtocolError(f"the hello has {quote(member)}{suggest(member, _MEMBERS)}")

@@ -106,7 +106,7 @@ def trace_outline(cells: Iterable[Cell]) -> Region:
 def map_region(
     shape: Region, matrix: Matrix, scale: Fraction = Fraction(1), by: Cell = (0, 0)
 ) -> Region:
-    """Return the image of a shape under a matrix, then moved, then scaled."""
+    """Map a shape by a matrix, translate it, then scale it."""
     (a, b), (c, d) = matrix
     exterior, *holes = (
         [((a * x + b * y + by[0]) * scale, (c * x + d * y + by[1]) * scale) for x, y in ring]

@@ -78,7 +78,7 @@ class Style:
 
 
 def _declare(found: dict[str, _Declared], name: str, declared: _Declared) -> None:
-    """Add a declaration, unless it loses against the present one."""
+    """Add a declaration unless the present one has precedence."""
     found[name] = max(declared, found.get(name, declared))
 
 

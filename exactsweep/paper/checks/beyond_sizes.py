@@ -42,7 +42,7 @@ def segments(pair: SweepPair) -> int:
 
 
 def count_contact_segments(effort: Effort) -> Iterator[Observation]:
-    """Count contact segments, and compare with the greatest possible number."""
+    """Compare the number of contact segments with its maximum."""
     yield Evidence("Counts.")
     for series in count_all("Contact segments", effort):
         yield series

@@ -141,7 +141,7 @@ class PanelDrawer:
         dy: float = 0,
         how: Mapping[str, Any] | None = None,
     ) -> None:
-        """Write words, with "=" those of the figure, near one place or several.
+        """Write words near one or more places; "=" stands for those of the figure.
 
         `dx` and `dy` are distances to the right and upwards, or the name of a shape with vectors.
         `how` has "ha" and "va", the alignment; "leader", whether a thin line leads to the place;
