@@ -74,7 +74,7 @@ def scaling(quick: bool) -> None:
 
 @main.command()
 def spent() -> None:
-    """Count what small pairs are spent on: instructions, objects, comparisons."""
+    """Count the instructions, objects and comparisons of small pairs."""
     if sys.version_info >= spent_counts.TOO_NEW:
         raise click.ClickException("from CPython 3.12 on, not every instruction can be traced")
     show(spent_counts.tabulate())

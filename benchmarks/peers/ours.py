@@ -66,7 +66,7 @@ def text(generatrix: Ring, directrix: Ring) -> Callable[[], list[Loop]]:
 
 
 def no_fit(generatrix: Ring, directrix: Ring) -> Callable[[], list[Loop]]:
-    """The no-fit polygon with its holes and exact fits, of Polygons; its exterior is compared."""
+    """The no-fit polygon of two Polygons, with holes and exact fits; its exterior is compared."""
     orbiting, stationary = exactsweep.Polygon(generatrix), exactsweep.Polygon(directrix)
 
     def run() -> list[Loop]:

@@ -67,7 +67,7 @@ class TracedPiece(NamedTuple):
 
 
 class Tracer:
-    """The features of G and of T by lines, for look-ups of those that draw an edge."""
+    """The features of G and of T keyed by lines, to look up those that draw an edge."""
 
     def __init__(self, path: Outline, generatrix: Outline) -> None:
         self.path, self.generatrix = path, generatrix

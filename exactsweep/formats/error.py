@@ -8,4 +8,4 @@ class FormatError(ExactSweepError):
 
 
 class OrnamentError(FormatError):
-    """An element that cannot be part of an outline, so that nothing is lost without it."""
+    """An element that cannot be part of an outline, and can be omitted without loss."""

@@ -34,7 +34,7 @@ class JsonNode(NamedTuple):
         return JsonNode(self.value[name], f"{self.path}.{name}")
 
     def either(self, name: str) -> JsonNode:
-        """Return a member if there is one, else this."""
+        """Return a member if it exists, else this node."""
         return self / name if self.has(name) else self
 
     def get(self, name: str, default: object) -> JsonNode:

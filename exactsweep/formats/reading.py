@@ -220,7 +220,7 @@ def read_positive(value: object, name: str) -> Fraction | None:
 
 
 def read_names(value: object, name: str) -> tuple[str, ...]:
-    """Read a list of strings of a caller."""
+    """Read a list of strings from the caller."""
     if not isinstance(value, list | tuple) or not all(isinstance(one, str) for one in value):
         raise FormatError(f"{name} is {quote(value)}, not a list of strings")
     return tuple(value)

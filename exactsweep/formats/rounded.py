@@ -46,7 +46,7 @@ class _Round(NamedTuple):
 
 
 def find_rounded(path: Path) -> RoundedOutline | None:
-    """Find the hull and the radius that a closed path is the boundary of, exactly.
+    """Find the hull and the radius whose boundary is exactly a closed path.
 
     Args:
         path: a closed path.

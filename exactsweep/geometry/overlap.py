@@ -201,7 +201,7 @@ def _is_in_cone(ray: Vertex, cone: _EdgeCone) -> bool:
 
 
 def find_outside(ring: Sequence[Vertex], room: Bounds) -> Rings:
-    """Return the outside of a ring, within a frame around the ring and a room.
+    """Return the complement of a ring within a frame around the ring and a room.
 
     A shape inside the room overlaps the outside of the ring if and only if it overlaps this shape.
     """

@@ -178,7 +178,7 @@ def _find_inside(a: Solid, b: Solid, found: Clearance) -> Vertex | None:
 
 
 def _find_outside(a: Solid, b: Solid, found: Clearance) -> Vertex | None:
-    """Find a point deep in a piece and outside of a rounded container.
+    """Find a point deep in a piece and outside a rounded container.
 
     From a vertex v with the signed distance s from the hull of the container, walk away from it, in
     the direction w: after the length t the signed distance is s + t.

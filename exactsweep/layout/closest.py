@@ -57,7 +57,7 @@ def find_nearest_pair(board: Board, touching: tuple[int, int] | None) -> Nearest
 def _find_best(
     board: Board, pairs: Iterable[tuple[int, int]], best: NearestPair | None
 ) -> NearestPair:
-    """Find the nearest of some pairs; the best known pair, if no other is nearer."""
+    """Find the closest of some pairs; the best known pair if none is closer."""
     for k, j in pairs:
         if best is not None and best.square == 0:
             break

@@ -37,7 +37,7 @@ def read_object(
 
 
 def read_list(data: object, path: str, read: Callable[[object, str], _Value]) -> tuple[_Value, ...]:
-    """Read a list, each item by a function of the item and its path."""
+    """Read a list; a function reads each item, given its path."""
     if not isinstance(data, list | tuple):
         raise LayoutError(f"{path} is {quote(data)}, not a list")
     return tuple(read(one, f"{path}[{k}]") for k, one in enumerate(data))

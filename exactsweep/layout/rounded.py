@@ -183,7 +183,7 @@ def inscribe(piece: RoundedPiece) -> Region:
 
 @cache
 def list_disc(sides: int) -> tuple[Point, ...]:
-    """List the corners of a polygon around the unit disc, symmetric, of rational tangents.
+    """List the corners of a symmetric polygon around the unit disc with rational tangents.
 
     >>> list_disc(4)[0]
     Point(x=Fraction(1, 1), y=Fraction(1, 1))

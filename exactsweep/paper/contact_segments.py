@@ -23,7 +23,7 @@ _Angles = dict[Vertex, Cones]
 
 
 def find_contacts(d: LatticeShape, h: LatticeShape) -> tuple[list[Edge], set[Vertex]]:
-    """Find translations t at which a vertex of D or G + t is on an edge, or a vertex, of the other.
+    """Find translations t with a vertex of D or G + t on an edge or a vertex of the other.
 
     The rings are those of D and of H = -G, the interior on their left. The result are segments and
     points that hold all positions of contact without overlap. Cost: O((m + n) log(m + n)) for m and

@@ -184,7 +184,7 @@ LOOPS = ("trajectory", "inner", "outer", "no_fit", "minkowski_sum", "inner_fit")
 
 
 class AnswerError(ExactSweepError):
-    """An unreadable answer or part of one; the message names the place."""
+    """An unreadable answer or part of one; the message says where."""
 
 
 class AnsweredLoop(NamedTuple):

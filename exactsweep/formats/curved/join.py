@@ -156,7 +156,7 @@ def _is_long(line: OpenLine, reach: Fraction) -> bool:
 
 
 def find_tolerance(lines: Iterable[OpenLine]) -> Fraction:
-    """Return the tolerance by whose fourth ends are joined, by the size of the drawing."""
+    """Return the tolerance, from the size of the drawing; ends join within a quarter of it."""
     xs, ys = zip(*(end for line in lines for end in line.ends), strict=True)
     return find_share(max(max(xs) - min(xs), max(ys) - min(ys)), CURVED)
 

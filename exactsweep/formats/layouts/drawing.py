@@ -142,7 +142,7 @@ def _make_layout(sheet: Sheet, *, nested: bool) -> FoundLayout:
 def _flatten(
     drawn_as: Mapping[str | None, Candidate], names: Collection[str | None], tolerance: Fraction
 ) -> Mapping[str | None, Data]:
-    """Find shapes with finer lines; those that are none are skipped."""
+    """Find shapes with finer lines; skip those that are invalid."""
     found: dict[str | None, Data] = {}
     for name in names:
         finer = drawn_as[name].finer if name in drawn_as else None

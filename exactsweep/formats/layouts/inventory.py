@@ -192,7 +192,7 @@ def _is_alike(wanted: WantedPart, part: Data) -> bool:
 
 
 def _is_named(name: str, wanted: str) -> bool:
-    """Decide whether a name is a wanted one, optionally with the number of a copy."""
+    """Decide whether a name is a wanted one, optionally with a copy number."""
     return name == wanted or name.rpartition("-")[0] == wanted
 
 

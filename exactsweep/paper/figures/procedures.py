@@ -1,4 +1,4 @@
-"""Figure 11: which procedure calls which, as printed, and which function which in the kernel."""
+"""Figure 11: calls among procedures, as printed, and among functions of the kernel."""
 
 from __future__ import annotations
 
