@@ -81,7 +81,7 @@ def far_pair(random: Prng) -> RingPair:
 
 
 def binary64_edge_pair(random: Prng) -> RationalRings:
-    """A small pair times a power of two, from multiples of the least binary64 to near the greatest.
+    """A small pair times a power of two: from multiples of the least binary64 to near the greatest.
 
     At times one of the family "perturbed", whose coordinates take all 53 bits.
     """
