@@ -145,7 +145,7 @@ def test_invalid_batches_are_rejected(tmp_path: Path) -> None:
 def test_chunks_hold_all_pairs_after_the_first_ones(
     most: int, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    """No chunk has more pairs or, but for its last line, more bytes than it may."""
+    """No chunk exceeds the limits of pairs and, except for its last line, of bytes."""
     monkeypatch.setattr("exactsweep.batch.job._CHUNK_BYTES", most)
     lines = [b"%d\n" % (10 + k) for k in range(36)]
     (tmp_path / "pairs").write_bytes(b"\n".join(lines))

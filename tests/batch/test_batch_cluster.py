@@ -42,7 +42,7 @@ def dask(*arguments: str) -> subprocess.Popen[str]:
 
 @pytest.fixture
 def cluster(tmp_path: Path) -> Iterator[tuple[str, list[subprocess.Popen[str]]]]:
-    """Start a scheduler and two workers that nothing restarts."""
+    """Start a scheduler and two workers without automatic restarts."""
     file = tmp_path / "scheduler.json"
     processes = [
         dask("scheduler", "--host", "127.0.0.1", "--port", "0", "--no-dashboard",

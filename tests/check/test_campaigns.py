@@ -1,4 +1,4 @@
-"""Campaigns begin without a mismatch, and notice answers that are wrong."""
+"""The first trials of campaigns have no mismatch, and wrong answers are noticed."""
 
 import importlib.util
 from random import Random
@@ -19,7 +19,7 @@ SLOT = [[(0, 0), (3, 0), (3, 3), (2, 3), (2, 1), (1, 1), (1, 3), (0, 3)]]
 CAVE = [[(0, 0), (4, 0), (4, 4), (2, 4), (2, 3), (3, 3), (3, 1), (1, 1), (1, 4), (0, 4)]]
 
 
-# The tests of layouts and of free positions begin the others.
+# Tests of layouts and of free positions run the first trials of the other campaigns.
 PAIRS = [name for name in campaign.STRATEGIES if name not in ("layouts", "scenes")]
 
 
@@ -96,7 +96,7 @@ def test_an_error_is_a_mismatch() -> None:
 
 
 def test_a_failing_pair_is_shrunk() -> None:
-    """A failure that takes a concave corner of D ends as a least polygon with one."""
+    """A failure that needs a reflex corner of D is reduced to a smallest polygon with one."""
     least = shrink(SmallPair(SLOT, CAVE), lambda pair: not Polygon(pair.directrix[0]).is_convex)
     assert [len(ring) for shape in least for ring in shape] == [3, 4]
 

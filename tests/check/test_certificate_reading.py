@@ -1,4 +1,4 @@
-"""Reading certificates: strict, and without an exception, whatever is in them."""
+"""Reading of certificates: strict, and without exceptions for any content."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""`classify` against slabs between all abscissas of vertices and crossings, and by hand."""
+"""`classify` compared with slabs between all abscissas of vertices and crossings, and by hand."""
 
 from fractions import Fraction
 from itertools import pairwise, product

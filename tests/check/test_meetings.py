@@ -1,4 +1,4 @@
-"""Meetings of boundaries, and witnesses: rings that touch, edges along a ray, small fractions."""
+"""Common points of boundaries, and witnesses: touching rings, edges along a ray, fractions."""
 
 from collections import Counter
 from fractions import Fraction
@@ -29,8 +29,8 @@ AROUND = [(-9, -9), (30, -9), (30, 30), (-9, 30)]
     ],
 )
 def test_a_witness_is_half_way_to_the_boundary(notch: list[tuple[int, int]]) -> None:
-    """Along the diagonal from the least vertex, to a notch that begins at (2, 2), and perhaps
-    goes on along the diagonal."""
+    """The diagonal from the least vertex meets a notch at (2, 2), which may continue along the
+    diagonal."""
     part = [(0, 0), (20, 0), *notch, (0, 20)]
     found = classify(AROUND, part, (0, 0))
     assert found == Classification("OVERLAP", Point(Fraction(1), Fraction(1)))
@@ -64,7 +64,7 @@ def test_holes_that_touch_the_exterior_inside_an_edge(turns: int) -> None:
 
 
 def test_the_lowest_two_edges_are_seen_to_cross() -> None:
-    """A triangle that begins inside a square, and goes through its bottom."""
+    """A triangle that starts inside a square and crosses its bottom edge."""
     square, triangle = ((0, 0), (4, 0), (4, 4), (0, 4)), ((1, 1), (2, -1), (3, 1))
     for shapes in (((square,), (triangle,)), ((triangle,), (square,))):
         point, cones = next(list_meetings(shapes))
@@ -92,7 +92,7 @@ def _cross(a: Vertex, b: Vertex, c: Vertex, d: Vertex) -> bool:
 
 
 def test_meetings_do_not_depend_on_the_unit_of_length() -> None:
-    """Nor are edges that cross ever missed."""
+    """Crossing edges are never missed, either."""
     rng = Random(7)
     seen = Counter[bool]()
     for _ in range(150):

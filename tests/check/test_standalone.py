@@ -1,4 +1,4 @@
-"""The checker of one file: sweeps, no-fit polygons and inner fits, proved and refused."""
+"""The standalone checker: sweeps, no-fit polygons and inner fits, proved and rejected."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The checker as a file: run by itself, without the package, and its certificates by the schema."""
+"""The checker as a file: run without the package, and its certificates compared with the schema."""
 
 from __future__ import annotations
 

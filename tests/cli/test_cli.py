@@ -15,7 +15,7 @@ from exactsweep import sweep
 from exactsweep.cli import main
 from exactsweep.text.report import report
 
-# Writes until nobody reads any more.
+# Writes until the reader closes the pipe.
 UNREAD = "while (echo) 2>&-; do :; done"
 
 
@@ -68,7 +68,7 @@ def test_bad_input_is_refused_in_one_line(tmp_path: Path, content: bytes, messag
             1,
             "Error: /dev/zero: more than 16 MiB (max_mib)\n",
         ),
-        # Nobody reads any more: that is no fault of the input.
+        # The reader has closed the pipe, which is not an error of the input.
         (f"{{ {UNREAD}; exactsweep sweep; echo $? >&2; }} | true", 0, "1\n"),
         (
             r"exactsweep sweep $'n\nne\xff' x",

@@ -58,7 +58,7 @@ def test_a_certificate_is_proved_by_the_checker_alone(tmp_path: Path) -> None:
 
 def test_a_false_certificate_is_answered_by_reason_and_witness() -> None:
     proof = EXAMPLE.certificate()
-    # Into the notch, as deep as the point of the house would fit.
+    # Into the notch, as deep as the tip of the house would fit.
     proof["inner"][5], proof["inner"][4] = ["11/4", "2"], ["4", "2"]
     result = run("verify", "-", stdin=json.dumps(proof))
     assert (result.exit_code, result.stderr) == (1, "")

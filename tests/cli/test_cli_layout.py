@@ -1,4 +1,4 @@
-"""`exactsweep layout` as a user meets it."""
+"""`exactsweep layout`, run as a user does."""
 
 from __future__ import annotations
 

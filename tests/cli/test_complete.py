@@ -1,4 +1,4 @@
-"""Completion, as shells ask for it, and names that it offers against those that commands take."""
+"""Shell completion, and its names compared with those that commands accept."""
 
 import os
 import subprocess

@@ -1,4 +1,4 @@
-"""Nests drawn as DXF and SVG: verdicts, names and depths are what was drawn."""
+"""Nests drawn as DXF and SVG: verdicts, names and depths match the drawing."""
 
 import json
 from fractions import Fraction
@@ -101,7 +101,7 @@ def test_a_part_in_a_hole_is_a_part(form: str, tmp_path: Path) -> None:
     small = Plate("small", [(x + 1, y + 1), (x + 3, y + 1), (x + 3, y + 3), (x + 1, y + 3)], [])
     code, found = judge(tmp_path, form, [*plates, small])
     assert (code, found["valid"], found["distance_squared"]) == (0, True, "1")
-    # Within the material it is drawn like a hole, but a part of its size says so.
+    # Inside the material it is drawn like a hole, but it has the size of a part.
     x += 10
     other = Plate("other", [(x, y), (x + 2, y), (x + 2, y + 2), (x, y + 2)], [])
     code, found = judge(tmp_path, form, [*plates, small, other])

@@ -1,4 +1,4 @@
-"""Layouts compared with the parts that are to be placed: a drawing, a file or a folder of them."""
+"""Layouts compared with the parts to be placed, of a drawing, a file or a folder."""
 
 import json
 from pathlib import Path

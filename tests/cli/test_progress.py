@@ -15,7 +15,7 @@ from exactsweep.cli import working
 
 
 class Soon:
-    """A timer that is done as soon as it begins; or never, if it is cancelled before."""
+    """A timer that fires when it starts, unless it was cancelled before."""
 
     daemon = False
 
@@ -27,13 +27,13 @@ class Soon:
         self.act()
 
     def cancel(self) -> None:
-        """It is done already."""
+        """Do nothing: it has fired already."""
 
     join = cancel
 
 
 class Later(Soon):
-    """A timer whose time never comes."""
+    """A timer that never fires."""
 
     def start(self) -> None:
         """Wait."""

@@ -1,4 +1,4 @@
-"""The API reference: every public name says what it is, and pdoc has nothing to complain of."""
+"""The API reference: every public name has a docstring, and pdoc gives no warning."""
 
 import importlib
 import inspect

@@ -1,4 +1,4 @@
-"""--turns, --mirrored and --placed LAYOUT of ifp and nfp: one line a turn, exact."""
+"""--turns, --mirrored and --placed LAYOUT of ifp and nfp: one exact line per rotation."""
 
 import json
 from pathlib import Path

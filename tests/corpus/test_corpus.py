@@ -1,4 +1,4 @@
-"""The shipped corpus: its files and flags, the number types, and how cases are found."""
+"""The shipped corpus: files, flags, number types, and selection of cases."""
 
 import json
 from collections import Counter

@@ -1,4 +1,4 @@
-"""Shipping: cases are added to the corpus, and none is changed."""
+"""Shipping: cases are added to the corpus and never changed."""
 
 import json
 import shutil

@@ -1,4 +1,4 @@
-"""`exactsweep corpus` as a user meets it; transcripts/corpus.txt has what it writes."""
+"""`exactsweep corpus`, run as a user does; transcripts/corpus.txt has its output."""
 
 import json
 
@@ -42,7 +42,7 @@ def test_a_pipe_that_is_closed_ends_the_command_quietly() -> None:
 
 
 def test_generation_streams() -> None:
-    """The first of a great many cases is there at once."""
+    """The first of very many cases is printed at once."""
     result = shell(f"{CORPUS} generate --count 1000000000 | head -n 2")
     assert len(result.stdout.splitlines()) == 2
 

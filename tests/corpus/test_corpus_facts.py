@@ -1,4 +1,4 @@
-"""Flags that can be seen: each with a pair just inside and a pair just outside."""
+"""Computed flags: for each a pair that just has it and a pair that just lacks it."""
 
 from fractions import Fraction
 from typing import Any

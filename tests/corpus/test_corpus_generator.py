@@ -1,4 +1,4 @@
-"""The generator: the same cases everywhere, and the families what they say."""
+"""The generator: the same cases on all platforms, and families as described."""
 
 from functools import cache
 from itertools import islice

@@ -1,4 +1,4 @@
-"""The shipped layouts: judged as they were worked out by hand."""
+"""The shipped layouts: the judge agrees with answers worked out by hand."""
 
 from __future__ import annotations
 
@@ -98,7 +98,7 @@ def test_moves_repair_overlaps_and_parts_outside(id: str) -> None:
     for fault in judge_layout(case.layout).faults:
         if fault.move is None or is_irrational(fault, case):
             continue
-        # The pair alone, so that nothing else is in the way.
+        # Only the pair, so that no other part interferes.
         data = {**case.data, "spacing": "0", "margin": "0"}
         numbers = list(fault.placements)
         data["placements"] = [dict(case.data["placements"][k]) for k in numbers]

@@ -22,7 +22,7 @@ def test_sums_with_paths_are_exact(case: PathCase) -> None:
 
 
 def sweep_along(rings: list[list[Point]], start: Point, end: Point) -> Any:
-    """Unite both ends of a shape's way along a segment with what its edges cover on the way."""
+    """Unite a shape at both ends of a segment with the areas that its edges cover between."""
     exterior, *holes = rings
     ends = [
         shapely.Polygon([move(p, by) for p in exterior], [[move(p, by) for p in h] for h in holes])

@@ -1,4 +1,4 @@
-"""Every shipped case is proved again: by a new sweep, by its certificate, by another program."""
+"""Every shipped case is verified by a new sweep, by its certificate and by another program."""
 
 import importlib.util
 from dataclasses import replace

@@ -96,7 +96,7 @@ def test_a_file_in_place_of_the_folder_is_refused(tmp_path: Path) -> None:
 
 @pytest.mark.long
 def test_ids_questions_and_answers_of_released_versions_are_unchanged() -> None:
-    """The digests were written when the versions were; a case is never changed or taken out."""
+    """The digests are as old as the versions; a case is never changed or removed."""
     released = json.loads((RELEASE / "versions.json").read_text(encoding="utf-8"))
     assert [*released] == [str(k) for k in range(1, VERSION + 1)]
     changes = (RELEASE / "CHANGELOG.md").read_text(encoding="utf-8")

@@ -1,4 +1,4 @@
-"""Colours that stay apart, details of unequal and flat pairs, legends, text, the way up."""
+"""Distinct colours, details of unequal and flat pairs, legends, text, the Y direction."""
 
 import re
 from fractions import Fraction
@@ -40,7 +40,7 @@ EYES = {
         (-0.003882, -0.048116, 1.051998),
     ),
 }
-# In CIE Lab, 2.3 is just noticed side by side.
+# In CIE Lab, a difference of 2.3 is just noticeable.
 APART = 14
 
 UNIT = [(0, 0), (1, 0), (1, 1), ("1/2", 2), (0, 1)]
@@ -56,7 +56,7 @@ COMB = [(0, 0), (40, 0), *((40 - k, 6 + k % 2 * 3) for k in range(41))]
 
 
 def lab(color: str, eye: str) -> tuple[float, float, float]:
-    """Return the place of a colour in the CIE Lab space, for white of daylight."""
+    """Return the CIE Lab coordinates of a colour, for white of daylight."""
     parts = [int(color[k : k + 2], 16) / 255 for k in (1, 3, 5)]
     light = [c / 12.92 if c <= 0.04045 else ((c + 0.055) / 1.055) ** 2.4 for c in parts]
     seen = [sum(m * c for m, c in zip(row, light, strict=True)) for row in EYES[eye]]
@@ -88,7 +88,7 @@ def lines_of(palette: dict[str, str]) -> dict[str, str]:
 def test_one_colour_has_one_meaning_for_all_eyes(palette: dict[str, str]) -> None:
     assert palette.keys() == style.LIGHT.keys()
     assert too_near(lines_of(palette)) == []
-    # The colours that were there before fail it: EV was G, VE was undercut, VV was fit.
+    # The former colours fail it: EV was that of G, VE of undercuts, VV of fits.
     assert too_near({**lines_of(palette), "EV": palette["generatrix"]})
     assert too_near({"D": "#5f5f5f", "VE": "#882255"})
 
@@ -163,7 +163,7 @@ def require_lower_legend(axes: Axes) -> None:
     if box.x0 >= picture.x1:
         assert box.height <= picture.y1 - bottom + 1
     else:
-        # Below, in several columns, where it hides nothing either.
+        # Below the picture, in several columns, where it hides nothing, either.
         assert box.y1 <= bottom
         assert len(legend.get_texts()) > legend._ncols > 1
 

@@ -21,7 +21,7 @@ VOID = {"meta", "link", "input"}
 
 
 class Balanced(HTMLParser):
-    """Refuses tags that do not match; gathers the text."""
+    """A parser that rejects unbalanced tags and collects the text."""
 
     def __init__(self, text: str) -> None:
         super().__init__()
@@ -43,7 +43,7 @@ class Balanced(HTMLParser):
 
 
 def inside(picture: ElementTree.Element) -> bool:
-    """Decide whether all that is drawn is inside the picture."""
+    """Decide whether all shapes are inside the picture."""
     width, height = (float(picture.attrib[name]) for name in ("width", "height"))
     data = "".join(path.attrib["d"] for path in picture.iterfind(f"{SVG}path"))
     for letter in "MLZ":

@@ -1,4 +1,4 @@
-"""Certificates of pairs with many convex parts, which small random polygons hardly ever have."""
+"""Certificates of pairs with many convex parts, which small random polygons rarely have."""
 
 import json
 from fractions import Fraction
@@ -37,7 +37,7 @@ def test_sweeps_of_many_parts_are_proved(n: int, m: int, size: int) -> None:
 
 @pytest.mark.parametrize("is_convex", mostly_long([True, False], []))
 def test_polygons_without_a_common_lattice_have_certificates(is_convex: bool) -> None:
-    """Once drawings were looked for on lines whole units apart, as if all were on a lattice."""
+    """A former version searched only lines at integer distances, as if all were on a lattice."""
     rng = Random(1)
 
     def shift() -> Fraction:

@@ -1,4 +1,4 @@
-"""Contacts against all pairs of features, tried one by one."""
+"""Contacts, compared with a test of all pairs of features."""
 
 from collections.abc import Sequence
 from fractions import Fraction
@@ -77,7 +77,7 @@ def meetings(g: Sequence[Vertex], d: Sequence[Vertex]) -> Found:
 def lasting(generatrix: Polygon, directrix: Polygon, p: Point, q: Point) -> Found:
     """Find the contacts that last along a piece of an edge of the trajectory.
 
-    Contacts change only where a vertex meets a vertex, so one point between each two will do.
+    Contacts change only where a vertex meets a vertex, so one point between each two suffices.
     """
     n, m = len(generatrix), len(directrix)
     differences = {
@@ -167,8 +167,8 @@ def test_features_are_numbered_as_given(pair: Pair, data: st.DataObject) -> None
 def test_lasting_contacts_of_a_convex_generatrix_involve_one_edge_of_it(pair: Pair) -> None:
     """Lemma A.1, for contacts that last, vertical edges of the frame included.
 
-    Either one vertex of G slides along one edge of D (VE), or all contacts are of one and the same
-    edge of G (EV and EE). For a convex G has one vertex or one edge furthest out to either side of
+    Either one vertex of G slides along one edge of D (VE), or all contacts are of one edge of G
+    (EV and EE). For a convex G has one vertex or one edge furthest out to either side of
     a line; a vertex that slid along two edges of D, in one line, would dip in between them.
     """
     generatrix, directrix = pair
@@ -220,7 +220,7 @@ def test_contacts_along_loops_of_positions_as_the_caller_writes_them() -> None:
 
 
 def test_rings_that_touch_in_a_point_all_have_contacts_there() -> None:
-    """Once the hole's corner hid the exterior's."""
+    """In a former version the hole's corner hid the exterior's."""
     d = Region([(0, 0), (4, 0), (4, 2), (2, 2), (2, 4), (0, 4)], [[(1, 1), (2, 1), (2, 2), (1, 2)]])
     found = [f"{event}({i},{j})" for event, i, j in sweep(UNIT, d).contacts_at((2, 2))]
     assert found == ["EE(0,2)", "EE(3,3)", "VE(1,2)", "VE(3,3)", "VV(0,3)", "VV(0,8)"]

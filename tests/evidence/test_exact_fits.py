@@ -1,4 +1,4 @@
-"""Exact fits: slots exactly as wide as G, against the definition and against `classify`."""
+"""Exact fits: slots exactly as wide as G, compared with the definition and with `classify`."""
 
 import random
 from fractions import Fraction
@@ -26,7 +26,7 @@ often = examples(100)
 
 @st.composite
 def rectilinear_pairs(draw: st.DrawFn) -> Pair:
-    """On one small grid, so that about every other pair has a fit."""
+    """On one small grid, so that about half of the pairs have a fit."""
     generatrix = draw(own.rectilinear_rings() | st.just([(0, 0), (1, 0), (1, 1), (0, 1)]))
     directrix = Polygon(draw(own.rectilinear_rings()))
     return Polygon(generatrix), draw(st.sampled_from([directrix, directrix.reflected()]))
@@ -74,7 +74,7 @@ def comb(teeth: int) -> list[tuple[int, int]]:
 
 
 def test_a_long_comb_is_lifted_with_all_above_it() -> None:
-    """All of G was walked along at each place where two pairs of walls meet."""
+    """A former version walked along all of G wherever two pairs of walls meet."""
     tongue = [(-3, 0), (0, 0), (0, -9), (2, -9), (2, 0), (5, 0)]
     found = []
     for teeth in (50, 100):

@@ -1,4 +1,4 @@
-r"""Undercuts, fits and contacts worked by hand, of shipped pairs whose loops are there, too.
+r"""Undercuts, fits and contacts worked out by hand, for shipped pairs.
 
 In all of them the answer takes a few lines of arithmetic. Under a roof of slopes 1 and -1 a square
 is caught by its two upper corners, where the roof is one wide; a kite with slopes 1/2 and -1/2 by

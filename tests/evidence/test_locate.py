@@ -1,4 +1,4 @@
-"""`locate` against the definition, at many positions."""
+"""`locate`, compared with the definition at many positions."""
 
 from fractions import Fraction
 from itertools import pairwise

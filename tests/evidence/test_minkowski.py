@@ -1,4 +1,4 @@
-"""Minkowski sums: answers by hand, laws, and the definition, point by point."""
+"""Minkowski sums: answers by hand, laws, and the definition at single points."""
 
 from collections import Counter
 from fractions import Fraction

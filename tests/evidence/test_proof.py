@@ -1,4 +1,4 @@
-"""The proofs that certificates carry: found for every answer, and proved by the checker alone."""
+"""The proofs in certificates: found for every answer, and proved by the standalone checker."""
 
 import json
 from fractions import Fraction

@@ -1,4 +1,4 @@
-"""Answers that several threads read at once: whatever is computed twice is equal."""
+"""Answers that several threads read at once: results computed twice are equal."""
 
 from concurrent.futures import ThreadPoolExecutor
 from threading import Barrier
@@ -15,7 +15,7 @@ NAMES = ("unswept", "area", "outer", "inner", "trajectory", "undercuts", "contac
 
 
 def comb(teeth: int) -> list[tuple[int, int]]:
-    """A comb around whose teeth the hook leaves places unswept."""
+    """A comb with unswept holes between its teeth."""
     tips = [
         vertex
         for k in reversed(range(teeth))
@@ -34,7 +34,7 @@ def read(s: Sweep) -> list[object]:
 
 
 def test_loops_are_compared_by_value() -> None:
-    """Once the inner loop counted as unswept if it was computed twice: a negative area."""
+    """In a former version, an inner loop computed twice counted as unswept: a negative area."""
     s, again = sweep(HOOK, comb(12)), sweep(HOOK, comb(12))
     again.solution.__dict__["inner"] = [*again.solution.inner]
     assert again.unswept == s.unswept

@@ -1,4 +1,4 @@
-"""Stops of G at a contact: every pair of corners on a small grid, every direction to go."""
+"""Stops of G at a contact: every pair of corners on a small grid, every direction of motion."""
 
 from fractions import Fraction
 from itertools import product

@@ -1,4 +1,4 @@
-"""Laws of the whole sweep, and the sweep against its definition."""
+"""Laws of the whole sweep, and the sweep compared with its definition."""
 
 from fractions import Fraction
 from itertools import product

@@ -29,7 +29,7 @@ def on_segment(p: Point, a: Point, b: Point) -> bool:
 
 
 def respell(shape: Region, turns: bool, by: int) -> list[list[Point]]:
-    """The rings from another vertex on, perhaps the other way round."""
+    """The rings, from another first vertex and perhaps reversed."""
     rings = [[*ring[by % len(ring) :], *ring[: by % len(ring)]] for ring in shape.rings]
     return [ring[::-1] for ring in rings] if turns else rings
 
@@ -133,7 +133,7 @@ def test_features_of_several_holes_are_numbered_as_given() -> None:
 
 
 def test_threads_may_share_a_sweep() -> None:
-    """Two threads that read the places that are not swept get the same ones, and the area."""
+    """Two threads that read the unswept holes get the same ones, and the same area."""
     size = 24
     comb = [(0, 0), (4 * size, 0)]
     for k in reversed(range(size)):
@@ -150,7 +150,7 @@ def test_threads_may_share_a_sweep() -> None:
 
 
 def test_the_inner_loop_is_known_by_its_value() -> None:
-    """Another thread may have made the loop again: it is equal, and not the same object."""
+    """Another thread may have computed the loop again: it is equal, but not the same object."""
     frame_ = Region([(-2, -2), (7, -2), (7, 7), (-2, 7)], [[(0, 0), (4, 0), (4, 3), (0, 3)]])
     s = shape_sweep(Region(UNIT), frame_)
     assert isinstance(s.solution, ShapeSolution)

@@ -53,7 +53,7 @@ def test_a_vertex_inside_an_edge_of_another_ring_touches_where_the_edge_does() -
 
 
 def lasting(s: Sweep, p: Point, q: Point) -> set[Contact]:
-    """The contacts at places along a way from p to q, between all places where any may change."""
+    """The contacts at points from p to q, one between each two points where any may change."""
     count = 4 * int(max(abs(q.x - p.x), abs(q.y - p.y)))
     found: set[Contact] = set()
     for k in range(count):

@@ -1,4 +1,4 @@
-"""Undercuts: the regions between D and the inner loop, and what closes them."""
+"""Undercuts: the regions between D and the inner loop, and the positions that close them."""
 
 import random
 from fractions import Fraction
@@ -43,7 +43,7 @@ def middle(p: Point, q: Point) -> Point:
 
 
 def along(edge: Edge, p: Point, q: Point) -> bool:
-    """Decide whether p to q is a piece of a directed edge, the same way round."""
+    """Decide whether p to q is a piece of a directed edge, in the same direction."""
     (ax, ay), (bx, by) = edge
     if not all(min(edge) <= v <= max(edge) for v in (p, q)):
         return False
@@ -67,7 +67,7 @@ def test_directrix_and_undercuts_make_up_the_inner_loop(pair: Pair) -> None:
 @given(any_pair)
 @often
 def test_bottom_chain_is_a_piece_of_the_inner_loop(pair: Pair) -> None:
-    """And of the region's boundary, which runs with the region on its left."""
+    """It is also a piece of the region's boundary, with the region on its left."""
     s = sweep(*pair)
     for undercut in s.undercuts:
         assert undercut.extremes == (undercut.bottom[0], undercut.bottom[-1])

@@ -36,5 +36,5 @@ def test_drawings_are_read_or_rejected_with_the_reason(drawing: Drawing, tmp_pat
     regions = [part.region for part in parse_regions(result.stdout)]
     assert len(regions) == len(drawing.areas)
     for region, area in zip(regions, drawing.areas, strict=True):
-        # A line that is off by the tolerance all along changes the area by as much a length.
+        # A line off by the tolerance everywhere changes the area by tolerance times length.
         assert abs(float(region.area) - area) < 0.2 if drawing.options else region.area == area

@@ -24,7 +24,7 @@ from exactsweep.formats import (
 )
 from exactsweep.formats.candidate import NamedRegion
 
-# The letter L, which no turn makes its mirror image.
+# The letter L, which no rotation maps to its mirror image.
 ELL = [(0, 0), (4, 0), (4, 1), (1, 1), (1, 9), (0, 9)]
 WITH_UNIT = ("mm", "cm", "m", "um", "dm", "in", "ft")
 
@@ -152,7 +152,7 @@ READ = [drawing for drawing in every_drawing() if drawing.areas]
 def test_other_libraries_read_the_same_area_and_handedness(
     form: str, drawing: Drawing, tmp_path: Path
 ) -> None:
-    """ezdxf and ElementTree read; shapely measures areas and where the centroids are."""
+    """ezdxf and ElementTree read; shapely measures areas and centroids."""
     path = tmp_path / drawing.name
     path.write_text(drawing.text, encoding="utf-8", newline="")
     done = run("convert", str(path), *drawing.options, "--to", form)

@@ -87,7 +87,7 @@ def test_sheets_are_no_larger_than_the_strip(height: float, width: float, reason
     strips = {"height": height, "max_width": width}
     empty = {"id": 0, "shape": {"type": "simple_polygon", "data": []}}
     assert read_jagua(0, strips=strips, containers=[empty])[0].data["container"]["exterior"] == []
-    # Where a sheet lies does not matter.
+    # The position of a sheet is irrelevant.
     place: dict[str, Any] = {"x_min": 70, "y_min": -30, "width": 10, "height": 9}
     sheets = [{"id": 0, "shape": {"type": "rectangle", "data": place}}]
     if not reason:

@@ -60,7 +60,7 @@ def test_arcs_of_one_radius_and_tangents_are_a_rounded_piece(
         '<circle r="1" transform="matrix(1 1 -1 1 0 0)"/>',
         '<ellipse rx="3" ry="2"/>',
         '<rect width="9" height="6" rx="2" ry="1"/>',
-        # Not tangent, two radii, a notch, and an arc the other way round.
+        # Not tangent, two radii, a notch, and an arc of opposite orientation.
         '<path d="M0 0h8a1 1 0 0 1 0 2h-9a1 1 0 0 1 1-2z"/>',
         '<path d="M0 0h8a2 2 0 0 1 0 4h-8a2.5 2.5 0 0 1 0-4z"/>',
         '<path d="M0 0h8a1 1 0 0 1 0 2h-8a1 1 0 0 0 0-2z"/>',

@@ -1,4 +1,4 @@
-"""Rules in the files of nesting programs are read, or named as not judged."""
+"""Rules in the files of nesting programs are read, or listed as not judged."""
 
 import json
 from fractions import Fraction

@@ -1,4 +1,4 @@
-"""Directions of monotonicity against a count of sign changes, one direction at a time."""
+"""Directions of monotonicity, compared with counts of sign changes for single directions."""
 
 from fractions import Fraction
 from itertools import combinations, pairwise

@@ -1,4 +1,4 @@
-"""Distances of shapes, against all pairs of edges and answers worked out by hand."""
+"""Distances of shapes, compared with all pairs of edges and with answers by hand."""
 
 from fractions import Fraction
 from itertools import product
@@ -91,7 +91,7 @@ def _clockwise(shape: Region) -> list[list[Point]]:
         ([("1/2", -1), (3, -1), ("1/2", 3)], 0, None),
         ([(-1, -1), (5, 3), (-1, 4)], 0, None),
         ([(2, "1/3"), (-1, "2/3"), (-1, "1/2")], 0, None),
-        # One holds the other.
+        # One contains the other.
         ([(-9, -9), (9, -9), (9, 9), (-9, 9)], 0, None),
         ([("1/4", "1/4"), ("1/2", "1/4"), ("1/4", "1/2")], 0, None),
         ([("4/5", "3/4"), ("5/6", "3/4"), ("4/5", "5/6")], 0, None),

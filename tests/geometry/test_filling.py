@@ -1,4 +1,4 @@
-"""The regions that rings fill, against winding numbers by the definition."""
+"""The regions that rings fill, compared with winding numbers by the definition."""
 
 from collections.abc import Callable, Sequence
 from fractions import Fraction
@@ -18,7 +18,7 @@ RULES: dict[Rule, Callable[[int], object]] = {
 }
 points = st.builds(Point, *[st.integers(0, 6).map(Fraction)] * 2)
 rings = st.lists(st.lists(points, min_size=3, max_size=6), min_size=1, max_size=4)
-# On no line through points of the lattice.
+# Off all lines through points of the lattice.
 places = [
     Point(Fraction(2 * i + 1, 2003) * 499, Fraction(2 * k + 1, 1999) * 497)
     for i in range(-1, 15)

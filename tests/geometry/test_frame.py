@@ -1,4 +1,4 @@
-"""Into the frame of a pair and back; points on the lattice are pairs of ints there."""
+"""Conversion to the frame of a pair and back; lattice points become pairs of ints."""
 
 from fractions import Fraction
 

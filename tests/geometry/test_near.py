@@ -1,4 +1,4 @@
-"""Boxes that meet, found by rows, against all pairs."""
+"""Boxes that meet, found by rows and compared with all pairs."""
 
 from itertools import combinations
 

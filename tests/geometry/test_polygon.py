@@ -40,7 +40,7 @@ def test_vertices_are_canonical(polygon: Polygon) -> None:
 
 @pytest.mark.parametrize("scale", [1, 3, Fraction(1, 2), Fraction(1, 2**9000)])
 def test_the_least_triangles_are_turned_counter_clockwise(scale: Fraction) -> None:
-    """Twice their area is one unit of the lattice, so that a sign is all there is to go by."""
+    """Twice their area is one unit of the lattice, so only the sign decides."""
     corners = [(0, 0), (scale, 0), (0, scale)]
     for k in range(3):
         spelled = corners[k:] + corners[:k]

@@ -1,4 +1,4 @@
-"""Paths: what counts as one, and as the same one."""
+"""Paths: accepted input, and equality."""
 
 import copy
 import pickle

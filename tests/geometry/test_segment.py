@@ -1,4 +1,4 @@
-"""Segments on one line: which they are, and how they cover another."""
+"""Segments on one line, and covers of a segment by others."""
 
 from fractions import Fraction
 from itertools import combinations
@@ -11,7 +11,7 @@ X_AXIS = (1, 0)
 
 
 def test_a_cover_has_as_few_pieces_as_there_can_be() -> None:
-    """Of pieces with small ends, by trying all choices; between two ends there is a half."""
+    """Small ends, all choices tried; a half lies between two adjacent ends."""
     rng = Random(3)
     some = 0
     for _ in range(400):

@@ -1,4 +1,4 @@
-"""The sweep of `find_conflict` against all pairs of edges, on grids where most rings fail."""
+"""The sweep of `find_conflict`, compared with all pairs of edges on grids where most rings fail."""
 
 import random
 from fractions import Fraction
@@ -28,7 +28,7 @@ def segments_meet(a: Vertex, b: Vertex, c: Vertex, d: Vertex) -> bool:
 
 
 def is_simple(points: list[Vertex]) -> bool:
-    """From the definition: neighbours meet in their common vertex alone, others nowhere."""
+    """By the definition: adjacent edges meet only in their common vertex, others nowhere."""
     ring = [p for i, p in enumerate(points) if p != points[i - 1]]
     n = len(ring)
     if n < 3:

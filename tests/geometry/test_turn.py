@@ -1,4 +1,4 @@
-"""Turns: rational ones are exact, others as near as asked for, which trigonometry confirms."""
+"""Rotations: rational ones are exact, others within the requested error, by trigonometry."""
 
 from fractions import Fraction
 

@@ -1,4 +1,4 @@
-"""Certificates of layouts: what the finder writes is proved, and what is changed is refused."""
+"""Certificates of layouts: those of the finder are proved, changed ones are rejected."""
 
 import copy
 import json
@@ -69,7 +69,7 @@ def test_all_faults_are_proved(name: str) -> None:
     layout, expected = FAULTY[name]
     certificate = prove(layout)
     assert not certificate["valid"]
-    # Of turns and mirroring there is one for each part.
+    # Each part has at most one fault of rotation or mirroring.
     kinds = {kind for kind, _ in expected}
     assert {fault["kind"] for fault in certificate["faults"]} == kinds
     pairs = [where for kind, where in expected if kind in ("overlap", "outside", "too close")]
@@ -105,7 +105,7 @@ def test_gaps_at_the_limit_of_rational_turns_are_proved(kind: str, digits: int) 
 
 @pytest.mark.parametrize(("x", "y"), [(3, 4), (-3, 4), (-4, 3)])
 def test_corners_as_far_apart_as_they_must_be_are_proved(x: int, y: int) -> None:
-    """No edge has the direction in which they are apart."""
+    """No edge is perpendicular to the direction in which they are separated."""
     at = 10 + x + (1 if x > 0 else -1), 10 + y + 1
     prove(lay(box(0, 0, 30, 30), {"t": TILE}, put("t", (10, 10)), put("t", at), spacing=5))
 

@@ -1,4 +1,4 @@
-"""Layouts that are wrong as a whole: the convention behind it is named."""
+"""Layouts that are wrong as a whole: the diagnosis names the convention."""
 
 from __future__ import annotations
 
@@ -86,7 +86,7 @@ def test_other_units_are_named(scale: str) -> None:
 
 @pytest.mark.parametrize("digits", [7, 8, 17])
 def test_radians_are_named(digits: int) -> None:
-    # Some programs write 270 degrees as -90.
+    # Some programs write -90 degrees for 270.
     angles = [int(turn) - (360 if turn == "270" else 0) for turn, _ in PLACED]
     turns = [f"{angle * pi / 180:.{digits}g}" for angle in angles]
     placed = [place(turn, *at) for turn, (_, at) in zip(turns, PLACED, strict=True)]

@@ -1,4 +1,4 @@
-"""Solids on lattices: laws that hold for each step of the search, not for its answer alone."""
+"""Solids on lattices: laws for each step of the search, not only for its answer."""
 
 from fractions import Fraction
 

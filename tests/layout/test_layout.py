@@ -1,4 +1,4 @@
-"""Layouts as values: read and written, and every refusal names the part or placement, and field."""
+"""Layouts as values: read and written; errors name the part or placement, and the field."""
 
 import json
 from copy import deepcopy

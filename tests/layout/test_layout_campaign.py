@@ -1,4 +1,4 @@
-"""The campaign over layouts: a few without mismatch, and what is wrong is noticed."""
+"""The campaign over layouts: a few trials without mismatch, and wrong answers are noticed."""
 
 from types import SimpleNamespace
 from typing import Any

@@ -1,4 +1,4 @@
-"""One layout, written as each nesting program would, is judged alike in every format."""
+"""One layout in the format of each nesting program gets the same verdict."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Judged layouts for people: what the table, the picture and the page say and show."""
+"""Reports of judged layouts: the table, the picture and the page."""
 
 from __future__ import annotations
 
@@ -84,7 +84,7 @@ def test_each_kind_says_how_bad_it_is(slug: str, said: str) -> None:
 
 
 def many(number: int) -> Judgement:
-    """Overlaps of 1/k of unit squares, k from 2 on, the least bad first."""
+    """Overlaps of unit squares by 1/k, k from 2 on, the smallest first."""
     tile = {"id": "tile", "exterior": [[0, 0], [1, 0], [1, 1], [0, 1]]}
     placed = []
     for k in range(number):
@@ -194,7 +194,7 @@ def test_an_overlap_of_1e_30_is_in_sight_where_it_is_enlarged() -> None:
     edges = set()
     for data in re.findall(r'class="bad" d="([^"]+)"', place.svg):
         edges |= {float(x) for x in re.findall(r"[ML](-?[\d.]+) ", data) if 0 < float(x) < SIDE}
-    # The tiles end where they overlap, a sixth of the picture apart, around the middle.
+    # The overlapping ends of the tiles are a sixth of the picture apart, around the middle.
     low, high = sorted(edges)
     assert abs((high - low) * 6 - SIDE) < 1
     assert abs((low + high) - SIDE) < 1

@@ -1,4 +1,4 @@
-"""Repairs: a placement that is moved by `Fault.move` is free of the fault that it repairs."""
+"""Repairs: a placement moved by `Fault.move` no longer has the fault."""
 
 from dataclasses import replace
 from fractions import Fraction
@@ -28,13 +28,13 @@ DEFECTS = [box(18, 12, 22, 16), box(38, 20, 44, 24)]
 
 
 def move_last(layout: Layout, fault: Fault) -> Layout:
-    """The layout of the placements of a fault alone, the last one moved by the repair."""
+    """The layout of only the placements of a fault, the last one moved by the repair."""
     assert fault.move is not None
     placements = [layout.placements[k] for k in fault.placements]
     (x, y), (dx, dy) = placements[-1].move, fault.move
     placements[-1] = replace(placements[-1], move=Point(x + dx, y + dy))
     if len(placements) > 1:
-        # The pair alone: neither the container nor other parts count.
+        # Only the pair: the container and other parts are ignored.
         return replace(layout, container=None, defects=(), placements=tuple(placements))
     return replace(layout, placements=tuple(placements))
 

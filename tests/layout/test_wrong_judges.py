@@ -1,4 +1,4 @@
-"""The cases by hand tell the judge from faulty ones, each of which has one mistake."""
+"""The cases by hand distinguish the judge from faulty ones with one mistake each."""
 
 import pytest
 from known_layouts import FAULTY, VALID
@@ -27,5 +27,5 @@ def test_a_mistake_shows_in_some_case(mistake: str) -> None:
         name for name, (layout, known) in CASES.items() if answers(judge, layout) != sorted(known)
     ]
     assert caught
-    # A mistake, and not nonsense.
+    # A plausible mistake, not nonsense.
     assert len(caught) < len(CASES) / 2

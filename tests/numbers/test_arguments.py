@@ -30,7 +30,7 @@ class Standing:
 
 
 class Bare:
-    """Without a name of its own."""
+    """A class without its own name."""
 
 
 class Array(Bare):
@@ -38,7 +38,7 @@ class Array(Bare):
 
 
 class Long(Array):
-    """A kind of it."""
+    """A subclass."""
 
 
 class OwnError(Exception):

@@ -32,7 +32,7 @@ def outcome(points: list[tuple[int | Fraction, int | Fraction]]) -> CanonicalRin
 
 @given(GRID)
 def test_rings_of_fractions_are_judged_as_those_of_ints(points: list[tuple[int, int]]) -> None:
-    """Most have vertices on edges, where no first digits tell anything."""
+    """Most have vertices on edges, where the first digits decide nothing."""
     assert outcome([(Fraction(x), Fraction(y)) for x, y in points]) == outcome([*points])
 
 
@@ -159,8 +159,8 @@ def divisor_work(monkeypatch: pytest.MonkeyPatch, action: Callable[[], Fraction]
 
 
 def test_an_area_costs_as_much_as_its_reduction(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Once 400 vertices with denominators of 500 digits took eight seconds for an area, and 200
-    and 200 of them 67 for that of a swept area."""
+    """Formerly, 400 vertices with denominators of 500 digits took eight seconds for an area, and
+    200 and 200 of them 67 for that of a swept area."""
     points = long_star(40, 400)
     polygon = Polygon(points)
     expected = find_doubled_area(polygon.vertices) / 2
@@ -191,7 +191,7 @@ def test_areas_of_answers_add_up_in_time(monkeypatch: pytest.MonkeyPatch) -> Non
 
 
 def test_holes_of_unrelated_denominators_share_no_lattice() -> None:
-    """Each of 60 has one of 2000 bits; once all numbers were brought over the product of all."""
+    """Each of 60 has one of 2000 bits; a former version multiplied all of them."""
     rng = Random(5)
     units = [Fraction(1, rng.getrandbits(2000) | 1) for _ in range(60)]
     holes = [[(3 * k, 1), (3 * k + 1 + e, 1), (3 * k, 2 - e)] for k, e in enumerate(units)]

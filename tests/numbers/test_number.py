@@ -105,7 +105,7 @@ def test_limits_can_be_moved_and_end_with_their_block() -> None:
 
 
 def test_written_numbers_may_have_the_digits_of_answers() -> None:
-    """Once loops of long numbers could be written and not read."""
+    """In a former version, loops of long numbers could be written but not read."""
     with limits(max_digits=2):
         assert answer_digits() == 71
         longest = 10**71 - 1
@@ -155,7 +155,7 @@ def test_each_limit_is_moved_by_itself() -> None:
 
 @pytest.mark.parametrize("sign", ["", "-"])
 def test_the_limit_is_on_the_number_however_it_is_spelled(sign: str) -> None:
-    """Once 1e4000 was read, but not as the 4,001 digits that it is written with."""
+    """A former version read 1e4000, but not its 4,001 digits."""
     half = Fraction(1, 2**14_000)  # 14,000 digits as a decimal, 4,215 as a fraction
     tenth = Fraction(1, 10**4299)
     for value in (Fraction(10**4299), tenth, half, half + 1, Fraction(10**4300 - 1)):

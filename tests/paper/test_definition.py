@@ -1,4 +1,4 @@
-"""The reference itself: answers worked by hand, and every loop against `classify`."""
+"""The reference itself: answers worked out by hand, and every loop compared with `classify`."""
 
 from fractions import Fraction
 from typing import Any
@@ -208,7 +208,7 @@ def turned(polygon: Polygon, a: int, b: int) -> Polygon:
 
 @st.composite
 def translations_near(draw: st.DrawFn, g: Polygon, d: Polygon) -> tuple[Fraction, Fraction]:
-    """Vertex on vertex, half-way between two such, and a little off."""
+    """Positions of vertices on vertices, midpoints between two of these, and positions nearby."""
     corner, feature = st.sampled_from(d.vertices), st.sampled_from(g.vertices)
     (px, py), (qx, qy) = draw(corner), draw(corner)
     (rx, ry), (sx, sy) = draw(feature), draw(feature)

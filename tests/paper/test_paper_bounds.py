@@ -1,4 +1,4 @@
-"""Bounds of checks: each holds at the bound, and complains of one more, or one less."""
+"""Bounds of checks: each passes at the bound, and fails at one more or one less."""
 
 import tracemalloc
 from collections.abc import Callable, Iterable

@@ -1,4 +1,4 @@
-"""Every fault that is put into the kernel turns the rows red that depend on it."""
+"""Every fault injected into the kernel makes the rows that depend on it fail."""
 
 import pytest
 from mutations import MUTATIONS, SABOTAGES, Mutation, mutated, red_rows
@@ -29,7 +29,7 @@ def test_a_fault_turns_its_rows_red(mutation: Mutation) -> None:
 
 
 def test_each_row_has_a_fault_that_turns_it_red() -> None:
-    # That a misprint is one depends on no procedure.
+    # The evidence for a misprint depends on no procedure.
     checked = {claim.name for claim in CLAIMS if claim.verdict is not ClaimVerdict.MISPRINT}
     assert checked <= {name for mutation in MUTATIONS for name in mutation.rows}
 

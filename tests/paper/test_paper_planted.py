@@ -1,4 +1,4 @@
-"""Checks of the paper, each of which tells a fault that is planted in what it looks at."""
+"""Checks of the paper, each of which reports a fault planted in its input."""
 
 import re
 from fractions import Fraction
@@ -19,7 +19,7 @@ SQUARES = SweepPair([(0, 0), (1, 0), (1, 1), (0, 1)], [(0, 0), (3, 0), (3, 3), (
 
 
 def _copy(s: Any, *names: str, **planted: Any) -> Any:
-    """Some attributes of a sweep, and others in the place of right ones."""
+    """A sweep with some attributes replaced."""
     return SimpleNamespace(**{name: getattr(s, name) for name in names} | planted)
 
 

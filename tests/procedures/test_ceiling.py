@@ -64,7 +64,7 @@ def test_no_strip_is_lower_than_the_sums_that_lowered_it(seed: int) -> None:
     left = min(Fraction(*graph.breaks[0]) for graph in graphs) // 1 - rng.randint(0, 3)
     right = max(-(-Fraction(*graph.breaks[-1]) // 1) for graph in graphs)
     found = Ceiling(left, right, rng.choice([3, 40]), None)
-    # Parts of a trajectory that are convex: between two crossings.
+    # Convex parts of a trajectory, between two crossings.
     pieces = [Graph(graph.breaks[:2], graph.pieces[:1]) for graph in graphs]
     for piece in pieces:
         found.lower(piece)
@@ -98,7 +98,7 @@ def zigzag(size: int, bend: int, seed: int) -> list[Vertex]:
 def test_most_sums_are_never_computed(
     top: list[Vertex], bottom: list[Vertex], most: tuple[int, int], monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    """Of 480 pairs, and of both loops' some thousands, at most the given number."""
+    """At most the given number of 480 pairs, and of several thousand for both loops."""
     computed: list[Any] = []
     right = graph.subtrajectory
 

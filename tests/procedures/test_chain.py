@@ -110,7 +110,7 @@ def test_convex_parts_are_convex_and_lie_on_the_chain(chain: list[Vertex]) -> No
 @given(chains())
 @usually
 def test_corners_are_the_chain_without_straight_points(chain: list[Vertex]) -> None:
-    # A line that never turns back: walls only upwards.
+    # A monotone chain: vertical edges only upwards.
     chain = [v for k, v in enumerate(chain) if k == 0 or v[0] > chain[k - 1][0]]
     kept = [(x, y) for x, y, _ in take_corners((x, y, 1) for x, y in chain)]
     assert (kept[0], kept[-1]) == (chain[0], chain[-1])
@@ -138,7 +138,7 @@ def test_split_gives_the_boundary_but_for_the_vertical_ends(polygon: Polygon) ->
 
 @pytest.mark.parametrize("first", [0, Fraction(1, 3)])
 def test_repeated_points_change_no_result(first: Any) -> None:
-    """Once a hole in the trajectory: a doubled convex vertex counted as a reflex one."""
+    """In a former version, a doubled convex vertex counted as a reflex one."""
     vertex = (1, -1)
     top: list[Vertex] = [(1, 0), (0, 0)]
     doubled: list[Vertex] = [(0, first), vertex, vertex, (2, first), (2, first)]

@@ -119,7 +119,7 @@ def ring_of(size: int, x: int, y: int) -> list[Vertex]:
 
 @pytest.mark.parametrize("far", [-(10**7), -1000, 0, 1000, 10**7])
 def test_squares_are_used_only_for_many_likely_crossings(far: int) -> None:
-    """Wherever the shapes are: about as many segments as edges have few crossings."""
+    """At any position of the shapes: about as many segments as edges have few crossings."""
     moved: tuple[Rings, Rings] = [ring_of(300, far, -far)], reflect([ring_of(20, far, far)])
     few = find_contact_segments(*moved)
     assert len(few) > 300

@@ -19,7 +19,7 @@ DIRECTIONS = [(1, 0), (2, 1), (1, 1), (1, 2), (0, 1), (1, -2), (1, -1), (3, -1)]
 def through(
     x: Rational, y: Rational, direction: tuple[int, int], before: int, after: int
 ) -> ContactSegment:
-    """From k steps before a point to j steps after it."""
+    """A segment from k steps before a point to j steps after it."""
     dx, dy = direction
     at, step = (x, dx) if dx else (y, dy)
     c, e = Fraction(dx * y - dy * x).as_integer_ratio()
@@ -31,7 +31,7 @@ def through(
 def expect(
     one: ContactSegment, other: ContactSegment, x: Rational, y: Rational
 ) -> tuple[bool, bool, Sides]:
-    """Return what a cut notes: overlap before and after the other segment, and its sides."""
+    """Return the record of a cut: overlap before and after the other segment, and its sides."""
     place = Fraction(x if other.line[0] else y)
     left, right = other.sides
     if place == Fraction(*other.low):
@@ -80,7 +80,7 @@ def test_segments_that_end_before_they_meet_have_no_cuts() -> None:
 
 
 def test_parameters_that_nearly_agree_have_different_keys() -> None:
-    """Two lines cross a third one at places that differ by about 2 / (u v)."""
+    """Two lines cross a third one at parameters that differ by about 2 / (u v)."""
     third = ContactSegment((1, 0, 0), (0, 1), (5, 1), (True, False))
     for u, v in [(2**40, 2**40 + 1), (2**40 - 1, 2**40), (10**30, 10**30 + 1)]:
         third.cuts.clear()
@@ -150,7 +150,7 @@ def test_boxes_hold_the_ends() -> None:
 
 
 def test_remaining_pieces_are_those_without_cuts() -> None:
-    """Of all places at which something may begin or end, each once."""
+    """Each point at which a piece may begin or end, once."""
     rng = Random(1)
     for _ in range(600):
         segment = ContactSegment((1, 0, 0), (0, 1), (4, 1), rng.choice(BOTH[1:]))

@@ -43,7 +43,7 @@ def test_a_gap_between_two_placed_shapes() -> None:
     f = free_positions(box(0, 0, 7, 5), walls, UNIT)
     assert f.regions == (Region(box(0, 0, 2, 4)), Region(box(4, 0, 6, 4)))
     assert f.exact_fits == fits((2, 2), (4, 2))
-    # Wider by the least bit, it is a corridor; narrower, it is shut.
+    # If slightly wider, it is a corridor; if slightly narrower, it is closed.
     above = [(3, "3.001"), (4, "3.001"), (4, 5), (3, 5)]
     wider = free_positions(box(0, 0, 7, 5), [walls[0], above], UNIT)
     assert (len(wider.regions), wider.exact_fits) == (1, ())
@@ -63,7 +63,7 @@ def test_the_last_piece_of_a_jigsaw_has_one_position() -> None:
 
 
 def test_placed_shapes_may_overlap_and_stick_out() -> None:
-    # Three times the same place, of which an even-odd rule would make nothing.
+    # Three equal shapes, of which two would cancel by the even-odd rule.
     once = free_positions(BIN, [box(2, -5, 9, 9)], UNIT)
     twice = free_positions(BIN, [box(2, -5, 9, 9), box(2, -2, 5, 4)], UNIT)
     assert once.regions == twice.regions == (Region(box(0, 0, 1, 2)),)

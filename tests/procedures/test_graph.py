@@ -1,4 +1,4 @@
-"""Lower envelopes: worked by hand, and against the least of all chains, point by point."""
+"""Lower envelopes: by hand, and compared with the minimum of all chains at single points."""
 
 from fractions import Fraction
 from itertools import pairwise, product
@@ -119,7 +119,7 @@ def walled(draw: st.DrawFn) -> Chain:
 
 
 def list_borders(*chains: Chain) -> list[Fraction]:
-    """The places of vertices and crossings."""
+    """The abscissas of vertices and crossings."""
     places = {Fraction(x) for chain in chains for x, _ in chain}
     edges = [edge for chain in chains for edge in pairwise(chain)]
     for ((px, py), (qx, qy)), ((rx, ry), (sx, sy)) in product(edges, edges):
@@ -130,7 +130,7 @@ def list_borders(*chains: Chain) -> list[Fraction]:
 
 
 def limits(chain: Chain, x: Fraction) -> list[Fraction]:
-    """The heights of a chain just before a place and just after it."""
+    """The heights of a chain just before and just after an abscissa."""
     edges = [((px, py), (qx, qy)) for (px, py), (qx, qy) in pairwise(chain) if px < qx]
     return [
         py + (qy - py) * (x - px) / (qx - px)
@@ -205,14 +205,14 @@ def test_hole_between_chains_is_refused_when_it_is_read() -> None:
 
 
 def test_equal_breaks_need_not_be_written_alike() -> None:
-    """Once a crash: a piece from x = -12/6 on, joined to a partial envelope up to x = -2."""
+    """A former crash: a piece from x = -12/6 on, joined to a partial envelope up to x = -2."""
     partial, piece = to_graph([(-4, 0), (-2, -1)]), to_graph([(-3, 0), (-1, -2), (0, -2)])
     piece.breaks[0] = (-12, 6)
     assert list(lower_envelope_cm(partial, piece)) == [(-4, 0), (-2, -1), (-1, -2), (0, -2)]
 
 
 def test_chains_may_share_their_points() -> None:
-    """Equal constants are one object; once, that hid the reflex vertex between two chains."""
+    """Equal constants are one object; in a former version, that hid a reflex vertex."""
     shared = (4, 2)
     first, second = to_graph([(0, 2), (2, 0), shared]), to_graph([shared, (5, 1), (6, 1)])
     joined = lower_envelope_cm(first, second)

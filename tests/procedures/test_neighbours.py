@@ -1,4 +1,4 @@
-"""Ends of contact segments that the next edges prove to be overlapped."""
+"""Ends of contact segments that adjacent edges prove to be overlapped."""
 
 from fractions import Fraction
 from unittest.mock import patch

@@ -1,4 +1,4 @@
-"""Polygons of any shape: answers worked out by hand, by counting, and by the paper."""
+"""Polygons of any shape: answers by hand, by counting squares, and by the paper's procedures."""
 
 from collections.abc import Sequence
 from fractions import Fraction
@@ -30,7 +30,7 @@ def fits(*ends: tuple[int, int]) -> Fits:
 
 
 def computed(directrix: Region, generatrix: Region) -> NoFitPolygon:
-    """By the contact segments, whatever the shapes."""
+    """The answer by contact segments, for any shapes."""
     return NoFitPolygon(directrix, generatrix, None, ORIGIN)
 
 
@@ -69,7 +69,7 @@ GAPPED = [(0, 0), (4, 0), (4, 1), (1, 1), (1, 3), (3, 3), (3, 2), (4, 2), (4, 4)
 def test_a_cave_that_can_be_entered_exactly() -> None:
     n = no_fit_polygon(GAPPED, UNIT)
     assert n.holes == (Polygon(box(1, 1, 2, 2)),)
-    # Through the gap, from the cave to the outside; both ends hang on loops.
+    # Through the gap, from the cave to the outside; both ends lie on loops.
     assert n.exact_fits == fits((2, 1), (4, 1))
 
 

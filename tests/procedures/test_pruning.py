@@ -1,4 +1,4 @@
-"""The two pruning steps change no answer: pairs without each of them, and without both.
+"""The two pruning steps change no answer: pairs with one of them, with both, and with none.
 
 Most pairs are too small for the steps, which are then forced.
 """

@@ -36,7 +36,7 @@ def find_least(stationary: Rings, orbiting: Rings) -> HomogeneousPoint:
 
 
 def require_the_same(stationary: Rings, orbiting: Rings) -> None:
-    """Compare what is known of the outermost loop with the answer of the test."""
+    """Compare the known answer for the outermost loop with that of the overlap test."""
     overlap = Overlaps(stationary, orbiting)
 
     def overlaps(position: HomogeneousPoint) -> bool:
