@@ -19,7 +19,7 @@ TOOLS = ("coqc", "coq_makefile", "make", "ocamlfind")
 
 
 def missing_tools() -> list[str]:
-    """Return the programs that are needed to build the checker and not installed."""
+    """Return the missing programs that are needed to build the checker."""
     return [tool for tool in TOOLS if shutil.which(tool) is None]
 
 

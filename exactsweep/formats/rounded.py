@@ -111,7 +111,7 @@ def _fits(one: _Round, other: _Round, square: Fraction, *, left: bool) -> bool:
 
 
 def _list_corners(centers: Sequence[Point], *, left: bool) -> tuple[Point, ...] | None:
-    """Return the corners of a convex ring, counter-clockwise; None if it is none."""
+    """Return the corners of a convex ring, counter-clockwise; None if it is not convex."""
     ring = [p for k, p in enumerate(centers) if p != centers[k - 1]] or [centers[0]]
     if not left:
         ring.reverse()

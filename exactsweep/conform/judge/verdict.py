@@ -279,7 +279,7 @@ def read_number(value: object, path: str) -> Fraction:
     """Read one number, as `read_loop` does.
 
     Raises:
-        AnswerError: it is none.
+        AnswerError: not a number.
     """
     try:
         return to_fraction(value)
