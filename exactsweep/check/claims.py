@@ -37,8 +37,8 @@ def to_claim(certificate: Any) -> CoqClaim:
     """Return the claim of a certificate of version 3 that is valid by the schema.
 
     Raises:
-        TheoremError: the certificate is of another version, or its claim has no form in Coq: a sum with
-            a path, or a layout with faults or in a rounded container other than a disc.
+        TheoremError: the certificate is of another version, or its claim has no form in Coq: a sum
+            with a path, or a layout with faults or in a rounded container other than a disc.
     """
     kinds = {"no_fit": _no_fit, "sweep": _sweep, "inner_fit": _inner_fit, "layout": claim_layout}
     if (certificate["format"], certificate["version"]) != (FORMAT, VERSION):
