@@ -293,6 +293,8 @@ def _repair(judgement: Judgement, path: str, context: ReportContext) -> str:
     if repaired is None:
         return f"no repair by small moves found; {show_path(path)} is not written"
     write_readable(json.dumps(repaired.layout.to_json()) + "\n", path)
+    if not repaired.moves:
+        return f"the layout is valid; it is unchanged in {show_path(path)}"
     longest = approximate(take_root(repaired.longest_squared), up=True)
     moved = f"{count(len(repaired.moves), 'placement')} moved by at most"
     return f"repaired in {show_path(path)}: {moved} {context.add_unit(longest)}; judged valid"

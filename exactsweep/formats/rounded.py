@@ -27,14 +27,16 @@ class RoundedOutline(NamedTuple):
     Attributes:
         points: the corners of the hull, counter-clockwise; one for a disc, two for a slot.
         radius: a positive number.
+        error: a bound on the distance from the true outline, of an irrational map; mostly 0.
     """
 
     points: tuple[Point, ...]
     radius: Fraction
+    error: Fraction = Fraction(0)
 
     def turned(self) -> RoundedOutline:
         """Return the outline with Y reversed."""
-        return RoundedOutline(tuple(Point(x, -y) for x, y in self.points[::-1]), self.radius)
+        return self._replace(points=tuple(Point(x, -y) for x, y in self.points[::-1]))
 
 
 class _Round(NamedTuple):
@@ -46,7 +48,9 @@ class _Round(NamedTuple):
 
 
 def find_rounded(path: Path) -> RoundedOutline | None:
-    """Find the hull and the radius whose boundary is exactly a closed path.
+    """Find the hull and the radius whose boundary is a closed path.
+
+    They are exact, or within the error of a path that was rotated by an irrational map.
 
     Args:
         path: a closed path.
@@ -61,7 +65,7 @@ def find_rounded(path: Path) -> RoundedOutline | None:
     >>> print(find_rounded(draw_circle(make_affine(3, 4, -4, 3, 1, 0))).radius)
     5
     """
-    if not path.curves or path.off or path.gap or path.soft or not path.is_closed:
+    if not path.curves or path.gap or path.soft or not path.is_closed:
         return None
     found = [_find_circle(*drawn) for drawn in path.curves.values()]
     squares = {circle[1] for circle in found if circle}
@@ -85,12 +89,12 @@ def find_rounded(path: Path) -> RoundedOutline | None:
     if not is_round or not all(_fits(*join, square, left=left) for join in joins):
         return None
     points = _list_corners([arc.center for arc in arcs], left=left)
-    return None if points is None else RoundedOutline(points, radius)
+    return None if points is None else RoundedOutline(points, radius, path.off)
 
 
 def _find_circle(curve: object, forward: bool) -> tuple[Point, Fraction, bool] | None:
     """Return the center, the squared radius and the direction of an arc of a circle."""
-    if not isinstance(curve, Arc) or curve.image.off:
+    if not isinstance(curve, Arc):
         return None
     a, b, c, d, e, f, _ = curve.image
     if a * c + b * d or a * a + b * b != c * c + d * d:

@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+from decimal import Decimal, localcontext
+from fractions import Fraction
 from typing import Any
 
 import pytest
+from mpmath import mp, mpf
 
 from exactsweep.formats.layouts import parse_layouts, read_layouts
 from exactsweep.layout import Layout, judge_layout
@@ -56,7 +59,6 @@ def test_arcs_of_one_radius_and_tangents_are_a_rounded_piece(
     "shape",
     [
         '<circle r="2" transform="scale(1 2)"/>',
-        '<circle r="2" cx="1" transform="rotate(30)"/>',
         '<circle r="1" transform="matrix(1 1 -1 1 0 0)"/>',
         '<ellipse rx="3" ry="2"/>',
         '<rect width="9" height="6" rx="2" ry="1"/>',
@@ -155,5 +157,42 @@ def test_dots_with_round_caps_are_discs(dot: str) -> None:
     assert pieces(round_cap) == ([["1", "2"]], "3/2")
     scaled = f'<g transform="scale(2)">{round_cap}</g>'
     assert pieces(scaled) == ([["2", "4"]], "3")
-    butt = dot.format('stroke="red" stroke-width="3"')
-    assert "pieces" not in read(f'{butt}<circle r="9"/>')[0]
+
+
+@pytest.mark.parametrize("cap", ["butt", "square"])
+@pytest.mark.parametrize("dot", ['<path d="M1 2h0" {}/>', '<path d="M1 2z" {}/>'])
+def test_strokes_of_no_length_are_reported(dot: str, cap: str) -> None:
+    dot = dot.format(f'id="tick" stroke="red" stroke-linecap="{cap}"')
+    (found,) = parse_layouts(f'<svg>{dot}<rect width="9" height="9"/></svg>', container=False)
+    assert len(found.data["parts"]) == 1
+    assert any("'tick': a stroke of no length" in note for note in found.notes)
+
+
+def test_a_single_point_is_no_dot() -> None:
+    point = '<polyline points="1,2" stroke="red" stroke-linecap="round"/>'
+    assert len(read(f'{point}<circle r="9"/>')) == 1
+
+
+@pytest.mark.parametrize("at", ["", " 7 -9"])
+@pytest.mark.parametrize(("off", "kinds"), [("-1e-30", ["overlap"]), ("1e-30", []), ("0", None)])
+def test_rotated_discs_have_the_error_of_their_centers(
+    at: str, off: str, kinds: list[str] | None
+) -> None:
+    with localcontext(prec=60):
+        digits = f"{Decimal(24) + Decimal(off)}"
+    discs = f'<circle cx="20" cy="3" r="2"/><circle cx="{digits}" cy="3" r="2"/>'
+    parts = read(f'<g transform="rotate(30{at})">{discs}</g>')
+    for part, x in zip(parts, ("20", digits), strict=True):
+        (piece,) = part["pieces"]
+        assert piece["radius"] == "2"
+        with mp.workdps(60):
+            a, b = map(mpf, at.split() or (0, 0))
+            u, v = mpf(x) - a, 3 - b
+            c, s = mp.sqrt(3) / 2, mpf(1) / 2
+            true = a + c * u - s * v, b + s * u + c * v
+            near = [mpf(n.numerator) / n.denominator for n in map(Fraction, piece["points"][0])]
+            error = mpf(float(Fraction(part["error"])))
+            assert mp.hypot(near[0] - true[0], near[1] - true[1]) <= error * (1 + mpf(10) ** -9)
+    data = {"parts": parts, "placements": [{"part": p["id"], "move": ["0", "0"]} for p in parts]}
+    found = [fault.kind for fault in judge_layout(Layout.from_json(data)).faults]
+    assert found == (["undecided"] if kinds is None else kinds)

@@ -9,8 +9,10 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from mpmath import mp, mpf
 
 from exactsweep.formats import FormatError
+from exactsweep.formats.curved.arc import to_degrees
 from exactsweep.formats.layouts import read_layouts
 from exactsweep.formats.layouts.found import FoundLayout
 from exactsweep.formats.layouts.table import is_table
@@ -143,3 +145,37 @@ def test_unreadable_tables_are_rejected_with_the_line(
 )
 def test_vertices_are_not_placements(text: str, expected: bool) -> None:
     assert is_table(text) is expected
+
+
+def test_conversion_of_radians_is_within_the_slack_of_verdicts() -> None:
+    with mp.workdps(300):
+        for text in ("1", "-2.5", "1e-30", "3.14159265358979323846264338327950288", "999999.5"):
+            true = mpf(text) * 180 / mp.pi
+            found = to_degrees(Fraction(text))
+            near = mpf(found.numerator) / found.denominator
+            assert abs(near - true) <= mpf(10) ** -100
+
+
+@pytest.mark.parametrize("digits", [50, 101, 150, 230])
+@pytest.mark.parametrize("quarters", [1, 2, 7])
+def test_no_digits_of_radians_make_a_right_angle(digits: int, quarters: int) -> None:
+    with mp.workdps(digits + 9):
+        radians = Fraction(mp.nstr(mp.pi * quarters / 2, digits))
+    degrees = to_degrees(radians)
+    assert degrees % 90 != 0
+    assert abs(degrees - 90 * quarters) < Fraction(1, 10 ** (digits - 4))
+    assert to_degrees(Fraction(0)) == 0
+
+
+def test_allowed_turns_are_in_radians_too(read: Read) -> None:
+    layout = {
+        "parts": [{"id": "tile", "exterior": TILE, "turns": ["0", "1.5"], "mirrored_turns": ["1"]}],
+        "placements": [
+            {"part": "tile", "turn": "1.5", "move": ["0", "0"]},
+            {"part": "tile", "turn": "1", "mirrored": True, "move": ["9", "0"]},
+            {"part": "tile", "turn": ["3/5", "4/5"], "move": ["0", "9"]},
+        ],
+    }
+    (found,) = read(json.dumps(layout), part=None, radians=True)
+    judgement = judge_layout(Layout.from_json(found.data))
+    assert [(fault.kind, fault.placements) for fault in judgement.faults] == [("turn", (2,))]

@@ -17,7 +17,7 @@ from exactsweep.formats.error import FormatError
 from exactsweep.geometry.turn import find_unit_point
 from exactsweep.numbers.number import Point
 
-_PI_DIGITS = 120
+_DIGITS, _ROOM = 101, 20
 _MAX_TURN = 10**6
 _NEAR = Fraction(1, 10**40)
 _FULL = Fraction(360)
@@ -43,16 +43,25 @@ def make_rotation(degrees: Fraction, power: int = 1) -> Affine:
 
 
 def to_degrees(radians: Fraction) -> Fraction:
-    """Convert radians to degrees, with a relative error below 10**-100."""
+    """Convert radians to a decimal of degrees, with an error of at most 10**-100.
+
+    Only 0 becomes a multiple of 90, because other rational radians have irrational cosines.
+    """
     if abs(radians) > _MAX_TURN:
         raise FormatError(f"an angle beyond {_MAX_TURN} radians")
-    return radians * 180 / _pi()
+    digits = _DIGITS
+    while True:
+        degrees = round(radians * 180 / _find_pi(digits), digits)
+        if degrees % 90 or not radians:
+            return degrees
+        digits *= 2
 
 
 @cache
-def _pi() -> Fraction:
+def _find_pi(digits: int) -> Fraction:
+    """Return pi with room for the quotients of `to_degrees`."""
     from mpmath import mp
     from mpmath.libmp import to_rational
 
-    with mp.workdps(_PI_DIGITS):
+    with mp.workdps(digits + _ROOM):
         return Fraction(*map(int, to_rational((+mp.pi)._mpf_)))

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from fractions import Fraction
+
 from exactsweep.formats.curved.affine import Affine
 from exactsweep.formats.curved.path import Path, draw_circle
 from exactsweep.formats.curved.svg_placed import PlacedElement
@@ -15,12 +17,18 @@ def draw_dot(path: Path, shape: PlacedElement, matrix: Affine) -> Path | None:
 
     Raises FormatError if the width of the stroke is not a number.
     """
-    (x, y), *others = path.points
+    x, y = path.points[0]
     is_round = shape.inherited("stroke-linecap", "butt") == "round"
-    if not is_round or path.curves or any(p != (x, y) for p in others):
+    if not is_round or len(path.points) < 2 or not is_point(path):
         return None
     if shape.inherited("stroke", "none") in _UNPAINTED:
         return None
     radius = read_decimal(shape.inherited("stroke-width", "1").strip().removesuffix("px")) / 2
     a, b, c, d = (number * radius for number in matrix[:4])
-    return draw_circle(Affine(a, b, c, d, x, y, matrix.off)) if radius > 0 else None
+    off = matrix.off * max(radius, Fraction(1)) + path.off
+    return draw_circle(Affine(a, b, c, d, x, y, off)) if radius > 0 else None
+
+
+def is_point(path: Path) -> bool:
+    """Whether a path has no length."""
+    return not path.curves and len({*path.points}) == 1

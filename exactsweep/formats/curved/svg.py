@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, NoReturn
 
 from exactsweep.formats.candidate import Candidate, allow_faults
 from exactsweep.formats.curved.affine import Affine
-from exactsweep.formats.curved.dots import draw_dot
+from exactsweep.formats.curved.dots import draw_dot, is_point
 from exactsweep.formats.curved.join import OpenLine, flatten_named, gather
 from exactsweep.formats.curved.path import (
     Path,
@@ -191,6 +191,8 @@ def _read(shape: PlacedElement, reading: Reading) -> list[Candidate | OpenLine]:
         found = SHAPES[name_kind(shape.element)](shape, matrix, reading)
         if reading.dots:
             found = [draw_dot(path, shape, matrix) or path for path in found]
+            if all(map(is_point, found)):
+                raise OrnamentError("a stroke of no length; only round caps draw a disc")
         closed = [path for path in found if len(path.points) > 1 and path.is_closed]
         opened = [path for path in found if not path.is_closed]
         # Filling closes a path, but the ends of a single one may meet others.

@@ -59,7 +59,7 @@ def find_congruence(part: Region, drawn: Region) -> Congruence | None:
 
 
 def find_rounded_congruence(part: RoundedOutline, drawn: RoundedOutline) -> Congruence | None:
-    """Find an exact map from a rounded outline to another one.
+    """Find a map from a rounded outline to another one, exact if neither has an error.
 
     >>> discs = [RoundedOutline((Point(Fraction(k), Fraction(0)),), Fraction(1)) for k in (0, 2)]
     >>> find_rounded_congruence(*discs).move
@@ -67,9 +67,10 @@ def find_rounded_congruence(part: RoundedOutline, drawn: RoundedOutline) -> Cong
     """
     if part.radius != drawn.radius or len(part.points) != len(drawn.points):
         return None
+    exact = not (part.error or drawn.error)
     if len(part.points) > 2:
         found = find_congruence(Region(part.points), Region(drawn.points))
-        return found if found is not None and found.exact else None
+        return found._replace(exact=exact) if found is not None and found.exact else None
     (a, *others), (p, *rest) = part.points, drawn.points
     c, s = Fraction(1), Fraction(0)
     if others:
@@ -79,7 +80,7 @@ def find_rounded_congruence(part: RoundedOutline, drawn: RoundedOutline) -> Cong
             return None
         c, s = Fraction(x * u + y * v) / length, Fraction(x * v - y * u) / length
     move = Point(p.x - c * a.x + s * a.y, p.y - s * a.x - c * a.y)
-    return Congruence(False, (c, s), move, exact=True)
+    return Congruence(False, (c, s), move, exact=exact)
 
 
 def _list_maps(part: Region, drawn: Region, *, mirrored: bool) -> Iterator[Congruence]:

@@ -185,7 +185,8 @@ def write_rings(outline: Candidate) -> Data:
 def write_rounded(outline: RoundedOutline) -> Data:
     """Write a rounded outline as Layout JSON has it."""
     points, radius = write_ring(outline.points), format_fraction(outline.radius)
-    return {"pieces": [{"points": points, "radius": radius}]}
+    error = {"error": format_fraction(outline.error)} if outline.error else {}
+    return {"pieces": [{"points": points, "radius": radius}], **error}
 
 
 def read_rounded(part: Data) -> RoundedOutline | None:
@@ -194,7 +195,7 @@ def read_rounded(part: Data) -> RoundedOutline | None:
         return None
     (piece,) = part["pieces"]
     points = tuple(Point(Fraction(x), Fraction(y)) for x, y in piece["points"])
-    return RoundedOutline(points, Fraction(piece["radius"]))
+    return RoundedOutline(points, Fraction(piece["radius"]), Fraction(part.get("error", 0)))
 
 
 def list_unknown(nodes: Iterable[JsonNode], *known: str) -> list[str]:

@@ -35,6 +35,8 @@ from exactsweep.numbers.number import to_fraction
 
 _Container = str | Literal[False] | None
 
+_ALLOWED = ("turns", "mirrored_turns")
+
 
 class LayoutOptions(Options, total=False):
     """The options of a reader of layouts, as `read_layouts` has them.
@@ -159,13 +161,30 @@ def _read_table(
 
 
 def _from_radians(found: FoundLayout) -> FoundLayout:
+    """Convert the turns of placements, and those that parts allow."""
+    parts = [
+        {
+            name: [*map(_convert_turn, value)]
+            if name in _ALLOWED and isinstance(value, list)
+            else value
+            for name, value in part.items()
+        }
+        for part in found.data["parts"]
+    ]
     placements = [
-        {**one, "turn": format_fraction(to_degrees(to_fraction(one["turn"])))}
-        if isinstance(one, dict) and isinstance(one.get("turn", []), str)
+        {**one, "turn": _convert_turn(one["turn"])}
+        if isinstance(one, dict) and "turn" in one
         else one
         for one in found.data["placements"]
     ]
-    return found._replace(data={**found.data, "placements": placements})
+    return found._replace(data={**found.data, "parts": parts, "placements": placements})
+
+
+def _convert_turn(turn: Any) -> Any:
+    """Convert radians to degrees; a cosine and a sine stay as they are."""
+    if not isinstance(turn, str):
+        return turn
+    return format_fraction(to_degrees(to_fraction(turn)))
 
 
 def _take_options(

@@ -120,7 +120,8 @@ def read_table(text: str, parts: Mapping[str, Data], *, radians: bool = False) -
     Args:
         text: the table.
         parts: the parts by id, as in Layout JSON; none for a table of discs.
-        radians: whether angles are in radians; they are converted within a part in 10^100.
+        radians: whether angles are in radians; they become degrees within 10^-100, which the slack
+            of verdicts covers.
 
     Returns:
         A FoundLayout for each group, without container, in the order of the table.
