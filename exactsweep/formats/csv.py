@@ -12,6 +12,7 @@ from sys import maxsize
 from threading import RLock
 
 from exactsweep.formats.candidate import Candidate, allow_faults
+from exactsweep.formats.columns import refuse_placements
 from exactsweep.formats.decimals import read_decimal
 from exactsweep.formats.error import FormatError
 from exactsweep.formats.size import VERTEX, require_count
@@ -23,9 +24,6 @@ _NAMES = ("name", "id", "part", "polygon")
 _WKT = ("wkt", "geometry", "geom", "the_geom", "wkt_geom")
 _SIZES = (("width", "height"), ("w", "h"), ("lx", "ly"))
 _COLUMNS = {"x", "y", "ring", *_NAMES, *_WKT, *(one for pair in _SIZES for one in pair)}
-# With these columns, x and y are positions of parts.
-_PLACING = {"angle", "deg", "degrees", "rad", "radians", "rotation", "rot", "theta", "turn"}
-_PLACING |= {"r", "radius", "diameter", "d", "rx", "ry"}
 _NUMBERS = re.compile(r"\s*\"?[-+.0-9][-+.,0-9eE]*\"?\s*[,;\t]\s*\"?[-+.0-9]")
 
 _limit_held = RLock()
@@ -94,12 +92,7 @@ def _parse(text: str) -> list[Candidate]:
     if twice:
         raise FormatError(f"line {first[0]}: two columns {quote(twice)}")
     needed = ["x", "y"]
-    if needed[0] in columns and not _PLACING.isdisjoint(head):
-        other = next(cell for cell in head if cell in _PLACING)
-        raise FormatError(
-            f"line {first[0]}: with a column {quote(other)}, x and y are positions; "
-            "'exactsweep layout --part FILE' reads a table of placements"
-        )
+    refuse_placements(head, f"line {first[0]}")
     needed += next((pair for pair in _SIZES if columns.keys() >= {*pair}), ())
     if not columns.keys() >= {*needed}:
         needed = [cell for cell in _WKT if cell in columns][:1]

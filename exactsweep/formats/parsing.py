@@ -8,6 +8,7 @@ from typing import Unpack
 
 from exactsweep.formats import csv, plain
 from exactsweep.formats.candidate import Candidate, allow_faults
+from exactsweep.formats.columns import refuse_placements
 from exactsweep.formats.depth import nest_candidates
 from exactsweep.formats.error import FormatError
 from exactsweep.formats.esicup import is_esicup, read_esicup
@@ -87,6 +88,7 @@ def _parse(text: str, reading: Reading) -> Sequence[Candidate]:
         return plain.parse_numbers(text)
     if _WKT.match(text):
         return parse_wkt(text, reading.notes)
+    refuse_placements(re.split(r"[,;\t]", text.lstrip()[:1000].partition("\n")[0]), "line 1")
     raise FormatError(
         f"starts with {quote(text.split(maxsplit=1)[0])}: not JSON, GeoJSON, WKT, SVG, DXF, or CSV "
         "with columns x and y"
@@ -136,6 +138,12 @@ def _read_json(text: str, reading: Reading) -> Sequence[Candidate]:
         parts = read_parts(document, reading)
         if parts is not None:
             return parts
+    rows = document if isinstance(document, list) else None
+    if isinstance(document, dict):
+        (rows,) = [*document.values()] if len(document) == 1 else [None]
+    if isinstance(rows, list) and rows and isinstance(rows[0], dict):
+        is_flat = not any(isinstance(value, list | dict) for value in rows[0].values())
+        refuse_placements([*rows[0]] if is_flat else [], "the first entry")
     return find_candidates(document, notes=notes)
 
 

@@ -1,6 +1,7 @@
 """Pasted vertices, instances of nesting programs, and formats that are rejected by name."""
 
 import json
+import re
 from fractions import Fraction
 
 import pytest
@@ -57,11 +58,26 @@ def test_rows_with_sizes_are_rectangles() -> None:
     assert [(part.name, int(part.polygon.area)) for part in named] == [("7", 6)]
 
 
-@pytest.mark.parametrize("column", ["deg", "angle", "rotation", "radius"])
+@pytest.mark.parametrize("column", ["deg", "Angle (rad)", "rotation", "radius", "flipped"])
 def test_a_table_of_placements_is_not_a_polygon(column: str) -> None:
     text = f"n,x,y,{column}\n3,0,0,1\n3,1,0,1\n3,0,1,1\n"
-    with pytest.raises(FormatError, match=f"with a column '{column}', x and y are positions"):
-        parse_polygons(text)
+    said = f"with a column '{column.lower()}', x and y are positions; 'exactsweep layout FILE"
+    for table in (text, text.replace(",", "\t"), text.replace(",", ";")):
+        with pytest.raises(FormatError, match=re.escape(said)):
+            parse_polygons(table)
+
+
+@pytest.mark.parametrize(
+    "table",
+    [
+        "part,center_x,center_y,angle_deg\n0,0,0,1\n0,3,0,1\n0,0,3,5\n",
+        '[{"x": 0, "y": 0, "deg": 1}, {"x": 3, "y": 0, "deg": 1}]',
+        '{"trees": [{"x": 0, "y": 0, "deg": 1}, {"x": 3, "y": 0, "deg": 1}]}',
+    ],
+)
+def test_other_tables_of_placements_name_the_command(table: str) -> None:
+    with pytest.raises(FormatError, match="'exactsweep layout FILE --part OUTLINE' judges"):
+        parse_polygons(table)
 
 
 def test_open_rings_of_wkt_are_closed_with_a_note() -> None:

@@ -1,8 +1,9 @@
 """Tables of placements: a row for each placed part, in CSV, TSV or a list of JSON objects.
 
-Columns have the usual names, in any order and case; `COLUMNS` lists them. Numbers may have letters
-before them, as in "s0.125", which some contests require. A column of groups, or ids such as 002_0
-and 002_1, gives one layout for each group. With a column of radii the parts are discs.
+Columns have the usual names, in any order and case; `exactsweep.formats.columns` lists them.
+Numbers may have letters before them, as in "s0.125", which some contests require. A column of
+groups, or ids such as 002_0 and 002_1, gives one layout for each group. With a column of radii the
+parts are discs.
 """
 
 from __future__ import annotations
@@ -16,6 +17,7 @@ from glob import has_magic
 from io import StringIO
 from typing import NamedTuple
 
+from exactsweep.formats.columns import name_columns
 from exactsweep.formats.curved.arc import to_degrees
 from exactsweep.formats.decimals import read_decimal
 from exactsweep.formats.error import FormatError
@@ -30,20 +32,6 @@ from exactsweep.numbers.digits import format_fraction
 from exactsweep.numbers.error import name_refusals, quote
 from exactsweep.words import count
 
-COLUMNS = {
-    "x": ("x", "tx", "dx", "pos_x", "x_pos", "center_x", "x_center", "cx"),
-    "y": ("y", "ty", "dy", "pos_y", "y_pos", "center_y", "y_center", "cy"),
-    "angle": ("angle", "deg", "degrees", "angle_deg", "rotation", "rot", "theta", "turn"),
-    "radians": ("rad", "radians", "angle_rad"),
-    "radius": ("r", "radius"),
-    "mirrored": ("mirrored", "mirror", "flipped", "flip"),
-    "part": ("part", "part_id", "name", "item", "item_id", "shape", "piece"),
-    "group": ("group", "layout", "sheet", "bin", "case", "puzzle", "board", "n"),
-    "id": ("id",),
-}
-"""The names of columns by their meaning."""
-
-_MEANINGS = {name: meaning for meaning, names in COLUMNS.items() for name in names}
 # With one of these, x and y are places.
 _PLACING = {"angle", "radians", "radius"}
 _NUMBERED = re.compile(r"(.+?)[_-]\d+")
@@ -73,7 +61,7 @@ def is_table(text: str) -> bool:
     if text.lstrip()[:1] in "{<":
         return False
     try:
-        found = _name_columns(_read_head(text))
+        found = name_columns(_read_head(text))
     except (FormatError, csv.Error):
         return False
     return {"x", "y"} <= found.keys() and not _PLACING.isdisjoint(found)
@@ -140,6 +128,8 @@ def read_table(text: str, parts: Mapping[str, Data], *, radians: bool = False) -
     if not rows:
         raise FormatError("a table without rows")
     meanings = rows[0].cells.keys()
+    if {"angle", "radians"} <= meanings:
+        raise FormatError("two columns of angles, in degrees and in radians")
     missing = [name for name in ("x", "y") if name not in meanings]
     if missing:
         raise FormatError(f"a table of placements without a column {' and '.join(missing)}")
@@ -214,14 +204,14 @@ def _list_rows(text: str) -> Iterator[_Row]:
         for k, entry in enumerate(_list_objects(text)):
             if not isinstance(entry, dict):
                 raise FormatError(f"entry {k}: not an object")
-            columns = _name_columns([*entry])
+            columns = name_columns([*entry])
             yield _Row(
                 f"entry {k}", {meaning: str(entry[name]) for meaning, name in columns.items()}
             )
         return
     reader = _read_csv(text)
     head = [cell.strip() for cell in next(reader, [])]
-    places = {meaning: head.index(name) for meaning, name in _name_columns(head).items()}
+    places = {meaning: head.index(name) for meaning, name in name_columns(head).items()}
     try:
         for row in reader:
             if any(map(str.strip, row)):
@@ -254,15 +244,3 @@ def _list_objects(text: str) -> list[object]:
     if isinstance(data, dict):
         lists = [value for value in data.values() if isinstance(value, list)]
     return lists[0] if len(lists) == 1 else []
-
-
-def _name_columns(head: Sequence[str]) -> dict[str, str]:
-    """Return the name of the column of each meaning; raise FormatError if there are two."""
-    found: dict[str, str] = {}
-    for name in head:
-        meaning = _MEANINGS.get(name.lower().replace(" ", "_"))
-        if meaning is not None and meaning in found:
-            raise FormatError(f"two columns for {meaning}: {quote(found[meaning])}, {quote(name)}")
-        if meaning is not None:
-            found[meaning] = name
-    return found
