@@ -38,7 +38,7 @@ def count_steps(family: str, size: int) -> tuple[int, ...]:
     generatrix, directrix = ANY_SHAPE[family](size, size, 0)
     moving = reflect([generatrix])
     segments = find_contact_segments([directrix], moving, leave_out_overlapped)
-    left = leave_out_covered(segments, [[directrix]], moving)
+    left = leave_out_covered(segments, [[directrix]], [moving])
     pieces = cut(left)
     pair, asked = MovedPair(EdgeIndex([directrix]), EdgeIndex([generatrix])), [0]
 

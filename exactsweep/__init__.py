@@ -5,6 +5,7 @@ from typing import TYPE_CHECKING
 
 from exactsweep.evidence.minkowski import minkowski_sum
 from exactsweep.evidence.overlap import Overlap, overlap
+from exactsweep.evidence.union import NoFitUnion, no_fit_union
 from exactsweep.geometry.canonical import PolygonError
 from exactsweep.geometry.direction import DirectionError
 from exactsweep.geometry.distance import distance_squared
@@ -30,6 +31,7 @@ __all__ = [
     "ExactSweepError",
     "InnerFit",
     "NoFitPolygon",
+    "NoFitUnion",
     "NumberError",
     "Overlap",
     "Point",
@@ -45,6 +47,7 @@ __all__ = [
     "minkowski_difference",
     "minkowski_sum",
     "no_fit_polygon",
+    "no_fit_union",
     "overlap",
     "sweep",
 ]

@@ -97,6 +97,7 @@ class InnerFit(InnerFitAnswer):
         part: a Region.
         reference: the point of the part that marks a position, a Point.
         placed: the Regions that the part must not overlap.
+        attached: the Regions that move with the part.
     """
 
     def plot(

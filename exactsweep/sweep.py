@@ -5,12 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterable
 
 from exactsweep.answers import InnerFit, NoFitPolygon, Sweep
-from exactsweep.geometry.canonical import PolygonError
 from exactsweep.geometry.direction import DirectionError, Vector, read_direction
 from exactsweep.geometry.frame import find_shared_direction, require_monotone
-from exactsweep.geometry.polygon import Polygon
 from exactsweep.geometry.reading import read_point
-from exactsweep.geometry.region import AnyPolygon, Region, Vertices, to_region, to_shape
+from exactsweep.geometry.region import AnyPolygon, Region, Vertices, to_region, to_regions, to_shape
 from exactsweep.numbers.error import tells_arguments
 from exactsweep.numbers.number import ORIGIN
 
@@ -195,6 +193,7 @@ def free_positions(
     part: Region | Vertices,
     *,
     reference: Iterable[object] = (0, 0),
+    attached: Iterable[Region | Vertices] = (),
 ) -> InnerFit:
     """Find all positions of a part inside a container that are free of placed shapes.
 
@@ -204,6 +203,7 @@ def free_positions(
             other and the container.
         part: likewise.
         reference: the point of the part that marks a position, in the coordinates of the part.
+        attached: further shapes that move with the part, as a rigid group.
 
     Returns:
         An InnerFit with its regions, and its exact fits, where the part touches obstacles on at
@@ -225,7 +225,5 @@ def free_positions(
         False
     """
     fixed, moved = to_region(container, "container"), to_region(part, "part")
-    if isinstance(placed, (Polygon, Region)):
-        raise PolygonError("placed is a single shape; give a list of shapes")
-    others = [to_region(shape, f"placed shape {k}") for k, shape in enumerate(placed)]
-    return InnerFit(fixed, moved, read_point(reference, "reference"), others)
+    others, along = to_regions(placed, "placed"), to_regions(attached, "attached")
+    return InnerFit(fixed, moved, read_point(reference, "reference"), others, along)

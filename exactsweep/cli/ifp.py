@@ -12,7 +12,7 @@ from exactsweep.cli.result import Form, takes_form, write_result
 from exactsweep.cli.turns import Pose, takes_turns
 from exactsweep.cli.working import working
 from exactsweep.text.report import approximate, lay_out, make_table
-from exactsweep.text.results import inner_fit_to_json
+from exactsweep.text.results import regions_to_json
 
 _takes_placed = click.option(
     "--placed",
@@ -28,7 +28,7 @@ _takes_placed = click.option(
 @takes_turns("PART")
 @takes_form("the positions")
 def ifp_command(
-    shapes: tuple[Region, Region, list[Region]],
+    shapes: tuple[Region, list[Region], list[Region]],
     reference: Point,
     poses: list[Pose] | None,
     form: Form,
@@ -40,7 +40,8 @@ def ifp_command(
     With --placed, PART also avoids the polygons of further files, where they are, or all placed
     parts of a layout. With --turns or --mirrored, the report and --json have one line per pose.
 
-    Holes of CONTAINER are defects, which PART avoids. The answer consists of regions of positions,
+    PART may be a group of an SVG file, as FILE#group: its outlines then move together. Holes of
+    CONTAINER are defects, which PART avoids. The answer consists of regions of positions,
     possibly with holes, and of exact fits, where CONTAINER is exactly as wide as PART. It is empty
     if PART does not fit.
 
@@ -54,9 +55,10 @@ def ifp_command(
       exactsweep ifp sheet.json part.wkt --turns 0,90,180,270 --mirrored --placed nest.json
       exactsweep ifp sheet.json part.wkt --certificate -o proof.json
     """
-    container, part, placed = shapes
+    container, (part, *attached), placed = shapes
     if poses is None:
-        write_result(free_positions(container, placed, part, reference=reference), form)
+        answer = free_positions(container, placed, part, reference=reference, attached=attached)
+        write_result(answer, form)
         return
     if form.kind not in ("report", "json"):
         raise click.UsageError(f"--{form.kind} is for a single pose.")
@@ -65,13 +67,14 @@ def ifp_command(
         for k, pose in enumerate(poses, 1):
             update(f"pose {k} of {len(poses)}")
             at = pose.place_point(reference)
-            found.append(free_positions(container, placed, pose.place(part), reference=at))
+            first, *others = map(pose.place, (part, *attached))
+            found.append(free_positions(container, placed, first, reference=at, attached=others))
             # Computed on first access: here, for the progress.
             _ = found[-1].regions
     if form.kind == "json":
         lines = (
             {"turn": pose.turn.to_json(), "mirrored": pose.mirrored, "fits": bool(fit)}
-            | json.loads(inner_fit_to_json(fit))
+            | json.loads(regions_to_json(fit))
             for pose, fit in zip(poses, found, strict=True)
         )
         write_readable("".join(json.dumps(line) + "\n" for line in lines), form.output)

@@ -5,14 +5,21 @@ from itertools import product
 
 import click
 
-from exactsweep import NoFitPolygon, Point, no_fit_polygon
+from exactsweep import NoFitPolygon, Point, no_fit_polygon, no_fit_union
 from exactsweep.cli.export import export
 from exactsweep.cli.output import measure_columns, write, write_readable
-from exactsweep.cli.pair import errors_of_files, keep_errors, read_each, takes_shapes
+from exactsweep.cli.pair import (
+    ReadingOptions,
+    errors_of_files,
+    keep_errors,
+    read_each,
+    takes_shapes,
+)
+from exactsweep.cli.parts import print_notes
 from exactsweep.cli.result import Form, describe_error, takes_form, write_result
 from exactsweep.cli.turns import Pose, takes_turns
 from exactsweep.cli.working import working
-from exactsweep.formats import NamedRegion
+from exactsweep.formats import NamedRegion, show_path
 from exactsweep.geometry.turn import read_turn
 from exactsweep.numbers.digits import format_fraction
 from exactsweep.text.report import approximate, lay_out, make_table
@@ -20,16 +27,35 @@ from exactsweep.text.results import no_fit_to_regions
 
 _AS_READ = Pose(read_turn(0))
 
+_takes_together = click.option(
+    "--together",
+    is_flag=True,
+    help="All polygons of STATIONARY form one rigid shape, and those of ORBITING another.",
+)
+
+_Rigid = tuple[NamedRegion, ...]
+"""Polygons that form one rigid shape."""
+
+
+def _read_shapes(
+    stays: str, moves: str, together: bool, reading: ReadingOptions
+) -> list[list[_Rigid]]:
+    """Read the rigid shapes of two files: each polygon alone, or all of a group."""
+    shapes: list[list[_Rigid]] = []
+    for path, side in zip((stays, moves), read_each(stays, moves, reading), strict=True):
+        shapes.append([tuple(side)] if together or side.is_group else [(one,) for one in side])
+        if len(shapes[-1]) > 1:
+            number = f"{show_path(path)}: {len(side)} polygons"
+            print_notes([f"{number}, each answered alone; --together answers for all as one shape"])
+    return shapes
+
 
 @click.command("nfp")
-@takes_shapes("STATIONARY", "ORBITING", read_each)
+@takes_shapes("STATIONARY", "ORBITING", _read_shapes, _takes_together)
 @takes_turns("ORBITING")
 @takes_form("the no-fit polygon and the exact fits")
 def nfp_command(
-    shapes: tuple[list[NamedRegion], list[NamedRegion]],
-    reference: Point,
-    poses: list[Pose] | None,
-    form: Form,
+    shapes: list[list[_Rigid]], reference: Point, poses: list[Pose] | None, form: Form
 ) -> None:
     """Compute the no-fit polygon of a pair, or of several pairs.
 
@@ -39,6 +65,9 @@ def nfp_command(
 
         exactsweep nfp   STATIONARY ORBITING     first stays, second moves
         exactsweep sweep GENERATRIX DIRECTRIX    first moves, second stays
+
+    With --together, all polygons of STATIONARY are one rigid shape, and so are those of ORBITING.
+    FILE#group of an SVG file always is. The positions of overlap are then regions.
 
     The command reads files as 'exactsweep sweep' does. Each argument may also be a folder or a
     pattern; with --turns or --mirrored, each pose of ORBITING makes a pair. For several pairs the
@@ -53,15 +82,23 @@ def nfp_command(
       exactsweep nfp plate.json fork.wkt --turns 0,90,180,270 --mirrored
       exactsweep nfp sheet.dxf#0 part.svg --to dxf --round 3 --round-outward -o nfp.dxf
     """
+    keep_errors(*(max(one.error for group in side for one in group) for side in shapes))
     posed = [(g, pose) for g in shapes[1] for pose in poses or (_AS_READ,)]
-    orbiting = [
-        (pose.place_point(reference), g if poses is None else _turn(g, pose)) for g, pose in posed
+    if any(len(group) > 1 for side in shapes for group in side):
+        if len(shapes[0]) * len(posed) > 1:
+            raise click.UsageError("Groups are for one pair and pose: use # or --together.")
+        ((stationary,), ((orbiting, pose),)) = shapes[0], posed
+        at, moved = pose.place_point(reference), [pose.place(one.region) for one in orbiting]
+        write_result(no_fit_union([one.region for one in stationary], moved, reference=at), form)
+        return
+    turned = [
+        (pose.place_point(reference), g if poses is None else _turn(g, pose))
+        for (g,), pose in posed
     ]
-    pairs = [(d, g) for d in shapes[0] for _, g in orbiting]
-    keep_errors(*(max(one.error for one in shape) for shape in shapes))
+    pairs = [(d, g) for (d,) in shapes[0] for _, g in turned]
     found = []
     with working("no-fit polygons") as update:
-        for k, (d, (at, g)) in enumerate(product(shapes[0], orbiting), 1):
+        for k, ((d,), (at, g)) in enumerate(product(shapes[0], turned), 1):
             update(f"no-fit polygon {k} of {len(pairs)}")
             found.append(no_fit_polygon(d.region, g.region, reference=at))
             # Computed on first access: here, for the progress.

@@ -25,7 +25,7 @@ from exactsweep.formats import reading as how
 from exactsweep.formats.candidate import Candidate
 from exactsweep.formats.depth import separate_holes
 from exactsweep.formats.folder import bring_to_one
-from exactsweep.formats.part_list import Coordinates, Said
+from exactsweep.formats.part_list import Coordinates, PartList, Said
 from exactsweep.formats.polygons import name_file, read_choice, read_single, split_choice
 from exactsweep.geometry.direction import DirectionError, Vector, read_direction
 from exactsweep.geometry.polygon import Polygon
@@ -289,7 +289,7 @@ def _require_one_input(first: str, second: str) -> None:
 
 def read_each(
     stays: str, moves: str, reading: ReadingOptions
-) -> tuple[list[NamedRegion], list[NamedRegion]]:
+) -> tuple[PartList[NamedRegion], PartList[NamedRegion]]:
     """Read the polygons of two files, folders or patterns, with one direction of Y."""
     _require_one_input(stays, moves)
     found = [(show_path(path), read_named([path], reading)) for path in (stays, moves)]
@@ -299,13 +299,13 @@ def read_each(
 
 def read_placed(
     stays: str, moves: str, placed: Sequence[str], reading: ReadingOptions
-) -> tuple[Region, Region, list[Region]]:
+) -> tuple[Region, list[Region], list[Region]]:
     """Read a container, a part and placed shapes; touching holes count as placed shapes."""
-    (one, file), (other, its_file) = _choose_two(stays, moves, reading)
+    ((one, *_), file), (others_of, its_file) = _choose_two(stays, moves, reading, groups=True)
     with working("reading"), name_file(file):
         first, regions = separate_holes(one)
     with working("reading"), name_file(its_file):
-        second = read_single(other, Candidate.named_region).region
+        second = [read_single(one, Candidate.named_region).region for one in others_of]
     if not placed:
         return first, second, regions
     layouts = {path: found for path in placed if (found := _read_layout(path, reading))}
@@ -366,25 +366,28 @@ def _read_layout(path: str, reading: ReadingOptions) -> list[Region]:
 def read_two(stays: str, moves: str, reading: ReadingOptions) -> tuple[Region, Region]:
     """Read two polygons, each from a file, with one direction of Y; report skipped elements."""
     regions = []
-    for candidate, file in _choose_two(stays, moves, reading):
+    for (candidate, *_), file in _choose_two(stays, moves, reading):
         with working("reading"), name_file(file):
             regions.append(read_single(candidate, Candidate.named_region).region)
     return regions[0], regions[1]
 
 
-def _choose_two(stays: str, moves: str, reading: ReadingOptions) -> list[tuple[Candidate, str]]:
-    """Find two polygons with the names of their files; report skipped elements."""
+def _choose_two(
+    stays: str, moves: str, reading: ReadingOptions, *, groups: bool = False
+) -> list[tuple[PartList[Candidate], str]]:
+    """Find two polygons, with `groups` the second possibly a group; report skipped elements."""
     _require_one_input(stays, moves)
     with working("reading"):
-        files = [(path, read_choice(path, **reading)) for path in (stays, moves)]
+        first = stays, read_choice(stays, **reading)
+        files = [first, (moves, read_choice(moves, groups=groups, **reading))]
     keep_coordinates(*bring_to_one([(show_path(path), found) for path, found in files]))
     chosen = []
     for path, found in files:
         name = split_choice(path)[0]
         report_skipped([f"{show_path(name)}: {reason}" for reason in found.left_out])
         print_notes(f"{show_path(name)}: {note}" for note in found.notes)
-        chosen.append((found[0], name))
-    errors = [one.error for one, _ in chosen]
+        chosen.append((found, name))
+    errors = [max(one.error for one in found) for found, _ in chosen]
     keep_errors(*errors)
     report_error(max(errors), reading)
     return chosen

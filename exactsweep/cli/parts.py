@@ -8,8 +8,10 @@ import click
 
 from exactsweep.cli.working import working
 from exactsweep.formats import FormatError, NamedRegion, show_path
+from exactsweep.formats.choice import is_group
 from exactsweep.formats.folder import Listing, list_parts, make_unique
 from exactsweep.formats.part_list import PartList, Said, summarize
+from exactsweep.formats.polygons import split_choice
 from exactsweep.text.report import approximate
 
 _MOST_REASONS = 100
@@ -65,7 +67,10 @@ def read_named(
     if not keep or listing.files > 1:
         unique = make_unique(names)
         found = [one._replace(name=name) for one, name in zip(found, unique, strict=True)]
-    return PartList(found, listing.coordinates)
+    result = PartList(found, listing.coordinates)
+    candidates = [part.candidate for part in listing.parts]
+    result.is_group = listing.files == 1 and is_group(candidates, split_choice(paths[0])[1])
+    return result
 
 
 def report_error(error: Fraction, reading: Mapping[str, Any]) -> None:

@@ -7,7 +7,7 @@ from typing import Any, NamedTuple
 
 import click
 
-from exactsweep import InnerFit, NoFitPolygon, Sweep
+from exactsweep import InnerFit, NoFitPolygon, NoFitUnion, Sweep
 from exactsweep.cli.export import export, takes_format, takes_rounding
 from exactsweep.cli.options import Decorator, gather, takes_output
 from exactsweep.cli.output import measure_columns, write, write_readable
@@ -98,7 +98,7 @@ def _find_side(region: NamedRegion) -> Side:
     return "inward" if (region.name or "").startswith(("inner", "unswept")) else "outward"
 
 
-_WRITERS = {
+_WRITERS: dict[type, _Writers] = {
     Sweep: _Writers(
         results.sweep_to_json,
         results.sweep_to_wkt,
@@ -114,13 +114,14 @@ _WRITERS = {
         lambda region: "outward",
     ),
     InnerFit: _Writers(
-        results.inner_fit_to_json,
-        results.inner_fit_to_wkt,
-        results.inner_fit_to_regions,
-        reports.report_inner_fit,
+        results.regions_to_json,
+        results.regions_to_wkt,
+        results.name_regions,
+        reports.report_regions,
         lambda region: "inward",
     ),
 }
+_WRITERS[NoFitUnion] = _WRITERS[InnerFit]._replace(side_of=lambda region: "outward")
 
 
 def describe_error(error: Fraction) -> str:
@@ -131,7 +132,7 @@ def describe_error(error: Fraction) -> str:
     return f"note: curves flattened; free positions are certain {about} from the boundary\n"
 
 
-def write_result(result: Sweep | NoFitPolygon | InnerFit, form: Form) -> None:
+def write_result(result: Sweep | NoFitPolygon | NoFitUnion | InnerFit, form: Form) -> None:
     """Write a result in the requested form."""
     columns, writers = measure_columns(form.output), _WRITERS[type(result)]
     first, second = errors_of_files()

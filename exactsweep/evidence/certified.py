@@ -45,8 +45,8 @@ class Certified:
         """Return plain JSON data that proves the answer to `check/standalone.py`.
 
         `check/CERTIFICATES.md` describes the format. Positions are those of the origin of the
-        polygon that moves. Raises PolygonError if shapes are placed. Cost: see
-        `evidence.proof.add_proof`.
+        polygon that moves. Raises PolygonError for placed or attached shapes and for a
+        NoFitUnion. Cost: see `evidence.proof.add_proof`.
 
         Example:
             >>> from exactsweep import no_fit_polygon

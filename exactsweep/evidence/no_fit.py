@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from abc import abstractmethod
 from collections.abc import Iterable, Sequence
 from fractions import Fraction
 from functools import cached_property
@@ -113,26 +114,83 @@ class NoFitAnswer(Certified):
         )
 
 
-class InnerFitAnswer(Certified):
+class RegionAnswer(Certified):
+    """Regions of positions and exact fits."""
+
+    reference: Point
+
+    @cached_property
+    @abstractmethod
+    def solution(self) -> FreeRegions:
+        """The positions of the origin of the shapes that move."""
+
+    @cached_property
+    def regions(self) -> tuple[Region, ...]:
+        """The regions of positions, sorted; none if the part does not fit."""
+        return self._regions(self.reference)
+
+    def _regions(self, reference: Point) -> tuple[Region, ...]:
+        found = (
+            Region(place_loop(exterior, reference), [place_loop(h, reference) for h in holes])
+            for exterior, holes in self.solution.regions
+        )
+        return tuple(sorted(found, key=lambda region: region.rings))
+
+    @cached_property
+    def exact_fits(self) -> tuple[Fit, ...]:
+        """Positions without room in some direction, as for `NoFitPolygon`."""
+        return place_fits(self.solution.fits, self.reference)
+
+    def _locate(self, position: Iterable[object]) -> Literal["inside", "boundary", "outside"]:
+        t = read_point(position, "position")
+        loops = [ring for region in self.regions for ring in (region.exterior, *region.holes)]
+        if _is_on(t, loops, self.exact_fits):
+            return "boundary"
+        return "inside" if any(region.contains(t) for region in self.regions) else "outside"
+
+    @property
+    def __geo_interface__(self) -> GeoJson:
+        """A GeoJSON MultiPolygon; with exact fits, a GeometryCollection of polygons and lines."""
+        return collect([region.rings for region in self.regions], self.exact_fits)
+
+    @property
+    def area(self) -> Fraction:
+        """The area of the regions."""
+        return Area(add_up(region.area for region in self.regions))
+
+    def __str__(self) -> str:
+        lines = [f"region, {len(region)} vertices: {region}" for region in self.regions]
+        return "\n".join([*lines, *map(_said, self.exact_fits)]) or "it does not fit"
+
+
+class InnerFitAnswer(RegionAnswer):
     """The regions and exact fits of an inner fit; see `exactsweep.InnerFit`."""
 
-    asked = ("container", "part", "reference", "placed")
+    asked = ("container", "part", "placed", "attached", "reference")
 
     container: Region
     part: Region
-    reference: Point
     placed: tuple[Region, ...]
+    attached: tuple[Region, ...]
 
     def __init__(
-        self, container: Region, part: Region, reference: Point, placed: Sequence[Region] = ()
+        self,
+        container: Region,
+        part: Region,
+        reference: Point,
+        placed: Sequence[Region] = (),
+        attached: Sequence[Region] = (),
     ) -> None:
-        self._set(container=container, part=part, reference=reference, placed=tuple(placed))
+        self._set(container=container, part=part, reference=reference)
+        self._set(placed=tuple(placed), attached=tuple(attached))
 
     @cached_property
     def solution(self) -> FreeRegions:
         """The positions of the part's origin."""
-        scale, (container, part, *placed) = share_lattice([self.container, self.part, *self.placed])
-        return find_inner_fit(container, part, scale, placed)
+        given = [self.container, self.part, *self.placed, *self.attached]
+        scale, (container, part, *others) = share_lattice(given)
+        number = len(self.placed)
+        return find_inner_fit(container, part, scale, others[:number], others[number:])
 
     def __bool__(self) -> bool:
         return bool(self.regions or self.exact_fits)
@@ -149,48 +207,13 @@ class InnerFitAnswer(Certified):
             >>> f.locate((1, 1)), f.locate((0, 1)), f.locate((9, 1))
             ('boundary', 'boundary', 'outside')
         """
-        t = read_point(position, "position")
-        loops = [ring for region in self.regions for ring in (region.exterior, *region.holes)]
-        if _is_on(t, loops, self.exact_fits):
-            return "boundary"
-        return "inside" if any(region.contains(t) for region in self.regions) else "outside"
-
-    @cached_property
-    def regions(self) -> tuple[Region, ...]:
-        """The free regions, sorted; none if the part does not fit."""
-        return self._regions(self.reference)
-
-    def _regions(self, reference: Point) -> tuple[Region, ...]:
-        found = (
-            Region(place_loop(exterior, reference), [place_loop(h, reference) for h in holes])
-            for exterior, holes in self.solution.regions
-        )
-        return tuple(sorted(found, key=lambda region: region.rings))
-
-    @cached_property
-    def exact_fits(self) -> tuple[Fit, ...]:
-        """Positions without room in some direction, as for `NoFitPolygon`."""
-        return place_fits(self.solution.fits, self.reference)
+        return self._locate(position)
 
     def _claim(self) -> dict[str, Any]:
-        if self.placed:
-            raise PolygonError("certificates do not cover placed shapes")
+        if self.placed or self.attached:
+            raise PolygonError("certificates do not cover placed shapes or attached ones")
         fits = self.solution.fits
         return claim_inner_fit(self.container, self.part, self._regions(ORIGIN), fits)
-
-    @property
-    def __geo_interface__(self) -> GeoJson:
-        """A GeoJSON MultiPolygon; with exact fits, a GeometryCollection of polygons and lines."""
-        return collect([region.rings for region in self.regions], self.exact_fits)
-
-    @property
-    def area(self) -> Fraction:
-        """The area of the free regions."""
-        return Area(add_up(region.area for region in self.regions))
-
-    def __str__(self) -> str:
-        lines = [f"region, {len(region)} vertices: {region}" for region in self.regions]
-        return "\n".join([*lines, *map(_said, self.exact_fits)]) or "it does not fit"
 
     def __repr__(self) -> str:
         return (

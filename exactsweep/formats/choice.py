@@ -90,6 +90,13 @@ def select(candidates: Sequence[Candidate], choice: str) -> list[Candidate]:
     )
 
 
+def is_group(candidates: Sequence[Candidate], choice: str | None) -> bool:
+    """Whether the candidates that a choice selects are the separate outlines of one group."""
+    return len(candidates) > 1 and all(
+        choice in one.groups and choice not in (one.name, one.layer) for one in candidates
+    )
+
+
 def _shortest(candidates: Sequence[Candidate], index: int) -> str:
     """Return the name, the layer or else the index that identifies a candidate."""
     one = candidates[index]

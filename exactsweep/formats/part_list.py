@@ -32,7 +32,10 @@ class PartList(list[_Listed]):
         coordinates: the direction of Y and the unit.
         left_out: the reason for each omitted element: hidden, an ornament, or not a polygon.
         notes: further remarks.
+        is_group: whether the polygons are one group, chosen as FILE#group.
     """
+
+    is_group = False
 
     def __init__(
         self,

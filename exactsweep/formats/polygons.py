@@ -5,7 +5,7 @@ from collections.abc import Callable
 from typing import TypeVar, Unpack
 
 from exactsweep.formats.candidate import Candidate, NamedPolygon, NamedRegion
-from exactsweep.formats.choice import choose, select
+from exactsweep.formats.choice import choose, is_group, select
 from exactsweep.formats.error import FormatError
 from exactsweep.formats.files import read_text, show_path
 from exactsweep.formats.parsing import parse_candidates
@@ -179,11 +179,20 @@ def read_candidates(
 
 
 def read_choice(
-    path: str | os.PathLike[str], tolerance: object = None, **options: Unpack[Options]
+    path: str | os.PathLike[str],
+    tolerance: object = None,
+    *,
+    groups: bool = False,
+    **options: Unpack[Options],
 ) -> PartList[Candidate]:
-    """Find the polygon of a file as `read_region` does, without reading its numbers."""
+    """Find the polygon of a file as `read_region` does, without reading its numbers.
+
+    With `groups`, a choice may also name a group of several outlines.
+    """
 
     def take(found: PartList[Candidate], choice: str | None) -> PartList[Candidate]:
+        if groups and choice and is_group(outlines := select(found, choice), choice):
+            return found.replaced(outlines)
         chosen = choose(found, choice)
         others = [one.fault for one in found if one.ornament and one is not chosen]
         return found.replaced([chosen], [] if choice else others)

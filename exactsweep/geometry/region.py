@@ -218,6 +218,13 @@ def to_region(shape: Region | Vertices, name: str) -> Region:
     return shape if isinstance(shape, Region) else Region(to_shape(shape, name))
 
 
+def to_regions(shapes: Iterable[Region | Vertices], name: str) -> tuple[Region, ...]:
+    """Read a list of shapes; errors name a shape by its index."""
+    if isinstance(shapes, (Polygon, Region)):
+        raise PolygonError(f"{name} is a single shape; give a list of shapes")
+    return tuple(to_region(shape, f"{name} shape {k}") for k, shape in enumerate(shapes))
+
+
 _WIDE, _LONG = 64, 1024
 """The most bits of a useful scale: if most vertices are on another lattice, and otherwise."""
 

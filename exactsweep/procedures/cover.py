@@ -13,7 +13,7 @@ from collections import defaultdict
 from collections.abc import Iterator, Mapping, Sequence
 from fractions import Fraction
 from functools import reduce
-from itertools import chain, pairwise
+from itertools import chain, pairwise, product
 from math import isqrt, lcm
 from operator import or_
 
@@ -29,9 +29,11 @@ _MOST_COLUMNS = 400
 
 
 def leave_out_covered(
-    segments: Sequence[ContactSegment], obstacles: Sequence[Rings], moving: Rings
+    segments: Sequence[ContactSegment], obstacles: Sequence[Rings], moving: Sequence[Rings]
 ) -> Sequence[ContactSegment]:
-    """Cut the contact segments of obstacles and H at columns of squares, and drop covered pieces.
+    """Cut contact segments at columns of squares, and drop the pieces that squares cover.
+
+    The squares are those of all pairs of an obstacle and a moving shape H.
 
     Cost: O(1) for each column that a segment meets, and the sum of squares.
     """
@@ -42,9 +44,9 @@ def leave_out_covered(
     area = (sum(rights) - sum(lefts)) * (sum(highs) - sum(lows))
     if 2 * area < _CROSSINGS * len(segments) * width * height:
         return segments
-    extent = max(map(_find_extent, obstacles)) + _find_extent(moving)
+    extent = max(map(_find_extent, obstacles)) + max(map(_find_extent, moving))
     side = max(1, extent // min(isqrt(8 * len(segments)), _MOST_COLUMNS))
-    sums = [add_squares(rings, moving, side) for rings in obstacles]
+    sums = [add_squares(*pair, side) for pair in product(obstacles, moving)]
     lowest = min(low for _, low, _ in sums)
     columns: defaultdict[int, int] = defaultdict(int)
     for left, low, squares in sums:

@@ -5,11 +5,11 @@ obstacles: contact segments (`segments`), without what the two pruning steps dro
 `cover`), cut where they cross (`crossings`), joined to loops and exact fits (`walk`) by an exact
 overlap test (`geometry.overlap`).
 
-With several obstacles, O is the union of their open sets O_k = int D_k + int H. The numbered
-statements of the modules hold for such a union:
+With several obstacles or moving shapes, O is the union of the open sets O_k = int D_i + int H_j of
+all pairs. The numbered statements of the modules hold for such a union:
 
-(1) A boundary point of the union is one of some O_k, so it lies on a contact segment of D_k, and
-    just to the left of a contact segment of D_k lies O_k.
+(1) A boundary point of the union is one of some O_k, so it lies on a contact segment of its pair,
+    and just to the left of such a segment lies O_k.
 (2) Around a single free position, open sectors of the O_k cover all directions. A sector starts
     along a contact segment that leaves the position, or against one that ends there. Two lines that
     do not both have segments in both directions give too few starts.
@@ -30,10 +30,10 @@ from exactsweep.geometry.overlap import MovedPair, Relation, find_outside, relat
 from exactsweep.numbers.number import Fit, Point, Rational, Vertex
 from exactsweep.procedures.chain import inverse
 from exactsweep.procedures.cover import leave_out_covered
-from exactsweep.procedures.crossings import HomogeneousPoint, cut
+from exactsweep.procedures.crossings import HomogeneousPoint, Pieces, cut
 from exactsweep.procedures.neighbours import leave_out_overlapped
 from exactsweep.procedures.segments import ContactSegment, find_contact_segments
-from exactsweep.procedures.walk import Free, find_free
+from exactsweep.procedures.walk import Free, Test, find_free
 
 
 class FreeRegions(NamedTuple):
@@ -76,25 +76,52 @@ def find_sum(stationary: Rings, moving: Rings, scale: int = 1) -> Free:
     """
     segments = find_contact_segments(stationary, moving, leave_out_overlapped)
     (ax, ay), (bx, by) = min(chain.from_iterable(stationary)), min(chain.from_iterable(moving))
-    free = _find_positions(segments, [stationary], moving, scale, _enter(ax + bx, ay + by))
+    pieces, overlaps = _prepare(segments, [stationary], [moving])
+    free = find_free(pieces, overlaps, scale, _enter(ax + bx, ay + by))
     assert len(free.around) == 1
     return free
 
 
+def find_no_fit_union(
+    stationary: Sequence[Rings], orbiting: Sequence[Rings], scale: int = 1
+) -> FreeRegions:
+    """Find the positions where any of the orbiting shapes overlaps any of the stationary ones.
+
+    Each region bounds one component of the positions of overlap, with their exact fits inside. All
+    orbiting shapes move together. Scale and cost are as for `find_no_fit`, with all pairs.
+
+    >>> one, other = [[(0, 0), (1, 0), (1, 1), (0, 1)]], [[(3, 0), (4, 0), (4, 1), (3, 1)]]
+    >>> found = find_no_fit_union([one, other], [one]).regions
+    >>> [[(int(x), int(y)) for x, y in exterior] for exterior, _ in found]
+    [[(-1, -1), (1, -1), (1, 1), (-1, 1)], [(2, -1), (4, -1), (4, 1), (2, 1)]]
+    """
+    moving = [reflect(rings) for rings in orbiting]
+    solid, moved = ([*chain.from_iterable(rings)] for rings in (stationary, moving))
+    segments = find_contact_segments(solid, moved, leave_out_overlapped)
+    free = find_free(*_prepare(segments, stationary, moving), scale, around_overlap=True)
+    return _nest(free.around, free.within, free.fits)
+
+
 def find_inner_fit(
-    container: Rings, part: Rings, scale: int = 1, placed: Sequence[Rings] = ()
+    container: Rings,
+    part: Rings,
+    scale: int = 1,
+    placed: Sequence[Rings] = (),
+    attached: Sequence[Rings] = (),
 ) -> FreeRegions:
     """Find the positions of a part inside a container, free of placed shapes.
 
-    Defects are clockwise holes of the container. Scale and cost are as for `find_no_fit`, where k
-    counts contact segments near the room of the part only.
+    Attached shapes move with the part. Defects are clockwise holes of the container. Scale and cost
+    are as for `find_no_fit`, where k counts contact segments near the room of the part only.
 
     >>> square, unit = [[(0, 0), (3, 0), (3, 1), (0, 1)]], [[(0, 0), (1, 0), (1, 1), (0, 1)]]
     >>> [tuple(int(c) for p in fit for c in p) for fit in find_inner_fit(square, unit).fits]
     [(0, 0, 2, 0)]
     """
     (west, east, south, north) = EdgeIndex(container).box
-    left, right, low, high = EdgeIndex(part).box
+    moving = [reflect(rings) for rings in (part, *attached)]
+    moved = [*chain.from_iterable(moving)]
+    left, right, low, high = EdgeIndex([*part, *chain.from_iterable(attached)]).box
     # The box of the part is in that of the container at positions in this room only.
     room = west - left, east - right, south - low, north - high
     if room[0] > room[1] or room[2] > room[3]:
@@ -103,14 +130,18 @@ def find_inner_fit(
     width, height = right - left, high - low
     frame = west - width, east + width, south - height, north + height
     obstacles = [find_outside(container[0], frame), *([ring] for ring in defects), *placed]
-    moving = reflect(part)
     solid = [outside, *defects, *chain.from_iterable(placed)]
-    segments = find_contact_segments(solid, moving, leave_out_overlapped)
+    segments = find_contact_segments(solid, moved, leave_out_overlapped)
     segments = [segment for segment in segments if _meets(segment.box, room)]
-    free = _find_positions(segments, obstacles, moving, scale)
-    inside: list[list[list[Point]]] = [[] for _ in free.within]
-    exteriors = sorted(free.within, key=find_doubled_area)
-    for loop in free.around:
+    free = find_free(*_prepare(segments, obstacles, moving), scale)
+    return _nest(free.within, free.around, free.fits)
+
+
+def _nest(exteriors: list[list[Point]], holes: list[list[Point]], fits: list[Fit]) -> FreeRegions:
+    """Assign holes to their exteriors, sorted by area."""
+    exteriors = sorted(exteriors, key=find_doubled_area)
+    inside: list[list[list[Point]]] = [[] for _ in exteriors]
+    for loop in holes:
         # No exterior crosses another one or the loop. The smallest one around the loop holds it.
         shape, area = EdgeIndex([loop]), find_doubled_area(loop)
         inside[
@@ -121,7 +152,7 @@ def find_inner_fit(
                 and relate(EdgeIndex([exterior]), shape) is Relation.OVERLAP
             )
         ].append(loop)
-    return FreeRegions(list(zip(exteriors, inside, strict=True)), free.fits)
+    return FreeRegions(list(zip(exteriors, inside, strict=True)), fits)
 
 
 def path_rings(points: Sequence[Vertex], *, closed: bool = False) -> list[list[Vertex]]:
@@ -134,27 +165,23 @@ def reflect(rings: Rings) -> list[list[Vertex]]:
     return [inverse(ring) for ring in rings]
 
 
-def _find_positions(
-    segments: Sequence[ContactSegment],
-    obstacles: Sequence[Rings],
-    moving: Rings,
-    scale: int,
-    least: HomogeneousPoint | None = None,
-) -> Free:
-    """Find the free positions whose boundary lies on contact segments."""
+def _prepare(
+    segments: Sequence[ContactSegment], obstacles: Sequence[Rings], moving: Sequence[Rings]
+) -> tuple[Pieces, Test]:
+    """Return the pieces that may bound free positions, and the test of a position."""
     segments = leave_out_covered(segments, obstacles, moving)
-    part = EdgeIndex(reflect(moving))
-    pairs = [MovedPair(EdgeIndex(rings), part) for rings in obstacles]
+    parts = [EdgeIndex(reflect(rings)) for rings in moving]
+    pairs = [MovedPair(EdgeIndex(rings), part) for rings in obstacles for part in parts]
 
     def overlaps(position: HomogeneousPoint) -> bool:
         for k, pair in enumerate(pairs):
             if pair.relate(*position) is Relation.OVERLAP:
-                # The obstacle that overlapped last is likely to do so again.
+                # The pair that overlapped last is likely to do so again.
                 pairs.insert(0, pairs.pop(k))
                 return True
         return False
 
-    return find_free(cut(segments), overlaps, scale, least)
+    return cut(segments), overlaps
 
 
 def _enter(x: Rational, y: Rational) -> HomogeneousPoint:

@@ -14,7 +14,7 @@ from __future__ import annotations
 from collections import defaultdict
 from collections.abc import Callable, Container, Iterable, Iterator, Mapping, Sequence
 from functools import cache
-from itertools import groupby
+from itertools import chain, groupby
 from typing import NamedTuple
 
 from exactsweep.geometry.canonical import find_least
@@ -43,16 +43,26 @@ class Free(NamedTuple):
 
 
 def find_free(
-    pieces: Pieces, overlaps: Test, scale: int = 1, least: HomogeneousPoint | None = None
+    pieces: Pieces,
+    overlaps: Test,
+    scale: int = 1,
+    least: HomogeneousPoint | None = None,
+    *,
+    around_overlap: bool = False,
 ) -> Free:
     """Find the loops and the exact fits among pieces of contact segments.
 
     `overlaps` decides whether a position is in O; all coordinates are divided by the scale; `least`
-    is the least point of the closure of O, if bounded. Cost: O(k) for k pieces, and one test for
-    each closed walk, for each piece with overlap on both sides, and for each meeting.
+    is the least point of the closure of O, if bounded. With `around_overlap`, loops that meet in a
+    point are split so that each bounds one component of O, not one of the free positions.
+
+    Cost: O(k) for k pieces, and one test for each closed walk, for each piece with overlap on both
+    sides, and for each meeting.
     """
     overlaps = cache(overlaps)
     rings = list(_walk_rings(pieces.one_sided, overlaps, least))
+    if around_overlap:
+        rings = list(_walk_rings([*chain.from_iterable(rings)], lambda _: False, None, min))
     bounding = {piece[0] for ring in rings for piece in ring}
     free = list(_find_free_pieces(pieces, overlaps, bounding))
     touched = bounding.union(*(piece[1:] for piece in free))
@@ -70,9 +80,15 @@ def find_free(
 
 
 def _walk_rings(
-    pieces: Sequence[OneSidedPiece], overlaps: Test, least: HomogeneousPoint | None
+    pieces: Sequence[OneSidedPiece],
+    overlaps: Test,
+    least: HomogeneousPoint | None,
+    choose: Callable[..., OneSidedPiece] = max,
 ) -> Iterator[PieceRing]:
-    """Trace the boundaries of free regions by (1) and (2); yield simple rings of pieces."""
+    """Trace the boundaries of free regions by (1) and (2); yield simple rings of pieces.
+
+    With `min`, trace the boundaries of overlap, of pieces that all bound it.
+    """
     leaving: defaultdict[HomogeneousPoint, list[OneSidedPiece]] = defaultdict(list)
     for piece in pieces:
         leaving[piece[0]].append(piece)
@@ -87,7 +103,7 @@ def _walk_rings(
         while following is not None and following not in done:
             done.add(following)
             path[following] = len(path)
-            following = _follow(following, leaving)
+            following = _follow(following, leaving, choose)
         if following in path:
             ring = list(path)[path[following] :]
             is_known = least is not None and k == 0
@@ -96,9 +112,11 @@ def _walk_rings(
 
 
 def _follow(
-    piece: OneSidedPiece, leaving: Mapping[HomogeneousPoint, list[OneSidedPiece]]
+    piece: OneSidedPiece,
+    leaving: Mapping[HomogeneousPoint, list[OneSidedPiece]],
+    choose: Callable[..., OneSidedPiece] = max,
 ) -> OneSidedPiece | None:
-    """Return the first piece counter-clockwise from the reverse of a piece, or None."""
+    """Return the first piece counter-clockwise (`min`: clockwise) from the reverse of a piece."""
     _, end, dx, dy = piece
     found = leaving.get(end)
     if not found:
@@ -111,7 +129,7 @@ def _follow(
         _, _, ex, ey = other
         return -dx * ex - dy * ey, dx * ey - dy * ex
 
-    return max(found, key=lambda other: angle_key(mirror(other)))
+    return choose(found, key=lambda other: angle_key(mirror(other)))
 
 
 def split_where_it_touches(ring: Iterable[OneSidedPiece]) -> Iterator[PieceRing]:

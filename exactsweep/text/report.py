@@ -10,10 +10,10 @@ from math import isqrt
 from types import MappingProxyType
 from typing import TYPE_CHECKING
 
-from exactsweep.evidence.no_fit import InnerFitAnswer, NoFitAnswer
+from exactsweep.evidence.no_fit import NoFitAnswer, RegionAnswer
 from exactsweep.evidence.sweep import SweepAnswer
 from exactsweep.geometry.polygon import Polygon
-from exactsweep.geometry.region import AnyPolygon
+from exactsweep.geometry.region import AnyPolygon, Region
 from exactsweep.numbers.digits import abridge, find_magnitude, format_fraction
 from exactsweep.numbers.number import Fit, Point
 from exactsweep.words import CLASSES, write_pair
@@ -120,26 +120,28 @@ def report_no_fit(
     return _tell(facts, given, loops, "no fit", n.area, n.exact_fits, terminal_width, everything)
 
 
-def report_inner_fit(
-    f: InnerFitAnswer,
+def report_regions(
+    f: RegionAnswer,
     terminal_width: int | None = None,
     *,
     everything: bool = False,
     files: Mapping[str, str] = NO_FILES,
 ) -> str:
-    """Describe the positions of a part inside a container.
+    """Describe regions of positions.
 
     Args:
-        f: an InnerFit.
+        f: an InnerFit or a NoFitUnion.
         terminal_width: as for `report`.
         everything: likewise.
         files: likewise.
     """
     exact = "fits exactly" if f.exact_fits else "does not fit"
+    given = {name: getattr(f, name) for name in f.asked if name != "reference"}
+    groups = {name: group for name, group in given.items() if isinstance(group, tuple) and group}
     facts = {
         **files,
-        "the part": "fits" if f.regions else exact,
-        **({"placed": str(len(f.placed))} if f.placed else {}),
+        **({"the part": "fits" if f.regions else exact} if "part" in given else {}),
+        **{name: str(len(group)) for name, group in groups.items()},
         "reference": write_pair(f.reference),
         "regions": str(len(f.regions)),
         "exact fits": str(len(f.exact_fits)),
@@ -149,8 +151,9 @@ def report_inner_fit(
         for k, region in enumerate(f.regions)
         for j, ring in enumerate((region.exterior, *region.holes))
     }
-    given, fits = {"container": f.container, "part": f.part}, f.exact_fits
-    return _tell(facts, given, loops, "positions", f.area, fits, terminal_width, everything)
+    single = {name: shape for name, shape in given.items() if isinstance(shape, Region)}
+    fits, name = f.exact_fits, "positions" if "part" in given else "no fit"
+    return _tell(facts, single, loops, name, f.area, fits, terminal_width, everything)
 
 
 def _tell(

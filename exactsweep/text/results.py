@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 
 from exactsweep.evidence.contact import Contact
 from exactsweep.evidence.minkowski import MinkowskiSum
-from exactsweep.evidence.no_fit import InnerFitAnswer, NoFitAnswer
+from exactsweep.evidence.no_fit import NoFitAnswer, RegionAnswer
 from exactsweep.evidence.steps import Step, explain
 from exactsweep.evidence.sweep import SweepAnswer
 from exactsweep.evidence.undercut import Undercut
@@ -78,24 +78,23 @@ def no_fit_to_json(n: NoFitAnswer, error: Fraction = _ZERO) -> str:
     )
 
 
-def inner_fit_to_json(f: InnerFitAnswer, error: Fraction = _ZERO) -> str:
-    """Write the positions of a part inside a container and their input as JSON.
+def regions_to_json(f: RegionAnswer, error: Fraction = _ZERO) -> str:
+    """Write regions of positions and their input as JSON.
 
     Args:
-        f: an InnerFit.
+        f: an InnerFit or a NoFitUnion.
         error: as for `sweep_to_json`.
 
     Returns:
-        One object with one name per line: "container", "part", "placed" if there are placed shapes,
+        One object with one name per line: "container", "part", and the lists "placed" and
+        "attached" unless they are empty, or the lists "stationary" and "orbiting"; then
         "reference", "regions", objects with "exterior" and "holes", "exact_fits" and "area", in the
         form of `no_fit_to_json`.
     """
+    given = {name: getattr(f, name) for name in f.asked}
     return write_object(
         {
-            "container": _write(write_json_value(f.container)),
-            "part": _write(write_json_value(f.part)),
-            **({"placed": _write(list(map(write_json_value, f.placed)))} if f.placed else {}),
-            "reference": _write(f.reference),
+            **{name: _write(value) for name, value in given.items() if value != ()},
             "regions": _write([_rings(region) for region in f.regions]),
             "exact_fits": _write(f.exact_fits),
             "area": _write(f.area),
@@ -121,7 +120,7 @@ def _loops(loops: Iterable[Polygon]) -> list[object]:
     return [loop.vertices for loop in loops]
 
 
-def certificate_to_json(result: SweepAnswer | NoFitAnswer | InnerFitAnswer | MinkowskiSum) -> str:
+def certificate_to_json(result: SweepAnswer | NoFitAnswer | RegionAnswer | MinkowskiSum) -> str:
     """Write the certificate of an answer as JSON."""
     found = result.certificate()
     return write_object(
@@ -225,7 +224,11 @@ def write_object(texts: Mapping[str, str]) -> str:
 
 
 def _write(value: object) -> str:
-    return json.dumps(value, default=format_fraction)
+    return json.dumps(value, default=_encode)
+
+
+def _encode(value: Region | Fraction) -> object:
+    return write_json_value(value) if isinstance(value, Region) else format_fraction(value)
 
 
 def sweep_to_regions(
@@ -251,10 +254,10 @@ def no_fit_to_regions(
     return [NamedRegion(Region(n.exterior, n.holes), "nfp", None, stays + moves)]
 
 
-def inner_fit_to_regions(
-    f: InnerFitAnswer, stays: Fraction = _ZERO, moves: Fraction = _ZERO
+def name_regions(
+    f: RegionAnswer, stays: Fraction = _ZERO, moves: Fraction = _ZERO
 ) -> list[NamedRegion]:
-    """Name the regions of an inner fit: "region 0" and so on."""
+    """Name regions of positions: "region 0" and so on."""
     regions = enumerate(f.regions)
     return [NamedRegion(region, f"region {k}", None, stays + moves) for k, region in regions]
 
@@ -279,8 +282,8 @@ def no_fit_to_wkt(n: NoFitAnswer) -> str:
     return _area_to_wkt("", n.exterior, n.holes) + write_wkt_fits(n.exact_fits)
 
 
-def inner_fit_to_wkt(f: InnerFitAnswer) -> str:
-    """Write the positions of a part inside a container as WKT.
+def regions_to_wkt(f: RegionAnswer) -> str:
+    """Write regions of positions as WKT.
 
     Returns:
         A POLYGON for each region, a LINESTRING or POINT for each exact fit; "POLYGON EMPTY" if the

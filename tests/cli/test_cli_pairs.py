@@ -123,3 +123,37 @@ def test_shapes_apart_have_a_distance(tmp_path: Path) -> None:
     assert run("overlap", a, b).stdout == ("verdict   FREE\ndistance  5\nnearest   (4,4) (7,8)\n")
     c, d = save(tmp_path, c=WKT, d="POLYGON ((4 4, 9 4, 9 9, 4 4))")
     assert run("overlap", c, d).stdout == ("verdict  CONTACT\nwitness  (4,4), on both boundaries\n")
+
+
+def test_polygons_of_a_file_are_answered_alone_or_together(tmp_path: Path) -> None:
+    two = "MULTIPOLYGON (((0 0, 1 0, 1 1, 0 1, 0 0)), ((2 0, 3 0, 3 1, 2 1, 2 0)))"
+    unit = "POLYGON ((0 0, 1 0, 1 1, 0 1, 0 0))"
+    obstacles, part = save(tmp_path, obstacles=two, part=unit)
+    alone = run("nfp", obstacles, part)
+    assert "2 polygons, each answered alone; --together answers for all" in alone.stderr
+    together = run("nfp", obstacles, part, "--together", "--wkt")
+    assert together.stdout == (
+        "POLYGON ((-1 -1, 3 -1, 3 1, -1 1, -1 -1))\nLINESTRING (1 -1, 1 1)\n"
+    )
+    assert together.stderr == ""
+    found = json.loads(run("nfp", part, obstacles, "--together", "--json").stdout)
+    assert (found["area"], len(found["orbiting"]), len(found["regions"])) == ("8", 2, 1)
+    assert "stationary   2\norbiting     1\n" in run("nfp", obstacles, part, "--together").stdout
+    for options in (["--certificate"], ["--turns", "0,90"]):
+        assert run("nfp", obstacles, part, "--together", *options).exit_code != 0
+
+
+def test_a_group_of_svg_is_one_rigid_shape(tmp_path: Path) -> None:
+    drawn = """<svg xmlns="http://www.w3.org/2000/svg"><rect id="sheet" width="100" height="50"/>
+    <g id="part"><rect x="5" y="5" width="30" height="30"/><rect x="10" y="10" width="5" height="5"
+    /><rect x="36" y="5" width="4" height="4"/></g><rect id="unit" width="1" height="1"/></svg>"""
+    (file,) = save(tmp_path, drawing=drawn)
+    found = json.loads(run("nfp", f"{file}#part", f"{file}#unit", "--json").stdout)
+    # 31 by 31 and 5 by 5, less the hole of 4 by 4, where the unit fits.
+    assert (found["area"], len(found["stationary"])) == ("970", 2)
+    fit = json.loads(run("ifp", f"{file}#sheet", f"{file}#part", "--json").stdout)
+    assert (fit["area"], len(fit["attached"])) == (str((100 - 35) * (50 - 30)), 1)
+    turned = run("ifp", f"{file}#sheet", f"{file}#part", "--turns", "90", "--json").stdout
+    assert json.loads(turned)["area"] == str((100 - 30) * (50 - 35))
+    assert "outlines, not one" in refusal(run("ifp", f"{file}#part", f"{file}#unit"))
+    assert "Groups are for one pair and pose" in run("nfp", file, f"{file}#part").stderr

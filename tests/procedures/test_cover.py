@@ -123,12 +123,12 @@ def test_squares_are_used_only_for_many_likely_crossings(far: int) -> None:
     moved: tuple[Rings, Rings] = [ring_of(300, far, -far)], reflect([ring_of(20, far, far)])
     few = find_contact_segments(*moved)
     assert len(few) > 300
-    assert leave_out_covered(few, [moved[0]], moved[1]) is few
+    assert leave_out_covered(few, [moved[0]], [moved[1]]) is few
     bar: list[Vertex] = [(0, 0), (400, 0), (400, 40), (0, 40)]
     teeth: list[Vertex] = [(2 * k, 40 + 30 * (k % 2)) for k in range(200)]
     comb: Rings = [[(x + far, y - far) for x, y in [*bar[:2], *teeth[::-1]]]]
     crossed: Rings = [[(y, -x) for x, y in comb[0]]]
     many = find_contact_segments(comb, crossed)
-    left = leave_out_covered(many, [comb], crossed)
+    left = leave_out_covered(many, [comb], [crossed])
     assert left is not many
     assert len(left) < len(many) / 2
