@@ -222,10 +222,10 @@ def tell_fault(
         bad = f"{context.add_unit(approximate(found))} apart, {approximate(required)} required"
         bad += f", {approximate(measure_depth(one))} short"
     elif one.square is not None:
-        least = fault.least_depth_squared
-        exact = least is None or least == one.square
-        bad = "" if exact else f"{approximate(take_root(least or one.square))} to "
-        bad += f"{context.add_unit(approximate(take_root(one.square)))} deep"
+        least = approximate(take_root(fault.least_depth_squared or one.square))
+        depth = approximate(take_root(one.square))
+        bad = "" if least == depth else f"{least} to "
+        bad += f"{context.add_unit(depth)} deep"
     elif fault.number:
         bad = count(fault.number, "placement")
     if repaired and fault.move is not None:
