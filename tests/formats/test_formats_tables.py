@@ -46,7 +46,8 @@ def placed(found: FoundLayout) -> list[tuple[str, str, list[str]]]:
     "table",
     [
         "x,y,deg\n1,2.5,90\n",
-        "angle;pos_y;pos_x\n90;2,5;1\n".replace("2,5", "2.5"),
+        "angle;pos_y;pos_x\n90;2,5;1\n",
+        "angle;pos_y;pos_x\n90;2.5;1\n",
         "Y\tX\tRotation\n2.5\t1\t90\n",
         "part,x,y,theta\ntile,s1,s2.5,s90\n",
         'name,x,y,turn\n"tile","1"," 2.5",+90\n',
@@ -86,6 +87,7 @@ def test_radians_are_converted(read: Read) -> None:
     assert abs(Fraction(found.data["placements"][0]["turn"]) - 180) < Fraction(1, 10**12)
     (same,) = read("x,y,rad\n0,0,3.14159265358979\n")
     assert same.data["placements"] == found.data["placements"]
+    assert found.notes == same.notes == ("1 row of placements, angles in radians",)
 
 
 def test_mirrored_placements_are_read(read: Read) -> None:
@@ -113,6 +115,7 @@ def test_parts_are_chosen_by_name(read: Read) -> None:
     [
         ("x,y,deg\n0,0,0\n", None, "--part FILE has the outline of its parts"),
         ("x,y,deg\n0,zero,0\n", PART, "line 2: y"),
+        ('x,y,deg\n"0,5",0,0\n', PART, "line 2: x: '0,5' is not a decimal number"),
         ("x,y,deg\n0,0\n", PART, "line 2: 2 cells of 3"),
         ("x,deg\n0,0\n", PART, "without a column y"),
         ("x,y,cx\n0,0,0\n", PART, "two columns for x: 'x', 'cx'"),

@@ -40,14 +40,15 @@ _TRUE, _FALSE = {"1", "true", "yes"}, {"0", "false", "no", ""}
 
 
 class _Row(NamedTuple):
-    """A row: its place in the file, and its cells by meaning."""
+    """A row: its place in the file, its cells by meaning, and its decimal separator."""
 
     place: str
     cells: Mapping[str, str]
+    point: str = "."
 
     def read(self, meaning: str) -> Fraction:
         """Read a number without the letters before it."""
-        text = _PREFIX.sub("", self.cells[meaning].strip(), count=1)
+        text = _PREFIX.sub("", self.cells[meaning].strip(), count=1).replace(self.point, ".")
         with name_refusals(f"{self.place}: {meaning}", FormatError):
             return read_decimal(text)
 
@@ -138,9 +139,8 @@ def read_table(text: str, parts: Mapping[str, Data], *, radians: bool = False) -
     groups: dict[str, list[_Row]] = {}
     for name, row in zip(_name_groups(rows, parts), rows, strict=True):
         groups.setdefault(name, []).append(row)
-    note = (
-        f"{count(len(rows), 'row')} of placements, angles in {'radians' if radians else 'degrees'}"
-    )
+    unit = "radians" if radians or "radians" in meanings else "degrees"
+    note = f"{count(len(rows), 'row')} of placements, angles in {unit}"
     found = [_make_layout(name, group, parts, radians=radians) for name, group in groups.items()]
     return [found[0]._replace(notes=(note,)), *found[1:]]
 
@@ -210,6 +210,7 @@ def _list_rows(text: str) -> Iterator[_Row]:
             )
         return
     reader = _read_csv(text)
+    point = "." if reader.dialect.delimiter == "," else ","
     head = [cell.strip() for cell in next(reader, [])]
     places = {meaning: head.index(name) for meaning, name in name_columns(head).items()}
     try:
@@ -218,7 +219,7 @@ def _list_rows(text: str) -> Iterator[_Row]:
                 line = f"line {reader.line_num}"
                 if len(row) <= max(places.values(), default=0):
                     raise FormatError(f"{line}: {count(len(row), 'cell')} of {len(head)}")
-                yield _Row(line, {meaning: row[k] for meaning, k in places.items()})
+                yield _Row(line, {meaning: row[k] for meaning, k in places.items()}, point)
     except csv.Error as error:
         raise FormatError(f"line {reader.line_num}: {error}") from None
 
