@@ -42,7 +42,8 @@ def _read_shapes(
 ) -> list[list[_Rigid]]:
     """Read the rigid shapes of two files: each polygon alone, or all of a group."""
     shapes: list[list[_Rigid]] = []
-    for path, side in zip((stays, moves), read_each(stays, moves, reading), strict=True):
+    sides = read_each(stays, moves, reading, whole=together)
+    for path, side in zip((stays, moves), sides, strict=True):
         shapes.append([tuple(side)] if together or side.is_group else [(one,) for one in side])
         if len(shapes[-1]) > 1:
             number = f"{show_path(path)}: {len(side)} polygons"

@@ -288,11 +288,11 @@ def _require_one_input(first: str, second: str) -> None:
 
 
 def read_each(
-    stays: str, moves: str, reading: ReadingOptions
+    stays: str, moves: str, reading: ReadingOptions, *, whole: bool = False
 ) -> tuple[PartList[NamedRegion], PartList[NamedRegion]]:
     """Read the polygons of two files, folders or patterns, with one direction of Y."""
     _require_one_input(stays, moves)
-    found = [(show_path(path), read_named([path], reading)) for path in (stays, moves)]
+    found = [(show_path(path), read_named([path], reading, whole=whole)) for path in (stays, moves)]
     keep_coordinates(*bring_to_one(found))
     return found[0][1], found[1][1]
 

@@ -31,7 +31,7 @@ def find_parts(paths: Sequence[str], reading: Mapping[str, Any]) -> Listing:
 
 
 def read_named(
-    paths: Sequence[str], reading: Mapping[str, Any], *, keep: bool = False
+    paths: Sequence[str], reading: Mapping[str, Any], *, keep: bool = False, whole: bool = False
 ) -> PartList[NamedRegion]:
     """Read the polygons of files, with unique names; report skipped elements.
 
@@ -39,11 +39,14 @@ def read_named(
         paths: as for `find_parts`.
         reading: likewise.
         keep: whether polygons of a single file keep their names, or the lack of one.
+        whole: whether a polygon that is not simple is an error, as in a group.
 
     Raises:
         FormatError: nothing can be read.
     """
     listing = find_parts(paths, reading)
+    candidates = [part.candidate for part in listing.parts]
+    is_one = listing.files == 1 and is_group(candidates, split_choice(paths[0])[1])
     found: list[NamedRegion] = []
     names: list[str] = []
     reasons: list[str] = []
@@ -54,6 +57,8 @@ def read_named(
             try:
                 read = part.candidate.named_regions(said)
             except ValueError as error:
+                if whole or is_one:
+                    raise FormatError(f"{part.file}: {error}") from None
                 said.left_out.append(str(error))
                 read = []
             found += read
@@ -68,8 +73,7 @@ def read_named(
         unique = make_unique(names)
         found = [one._replace(name=name) for one, name in zip(found, unique, strict=True)]
     result = PartList(found, listing.coordinates)
-    candidates = [part.candidate for part in listing.parts]
-    result.is_group = listing.files == 1 and is_group(candidates, split_choice(paths[0])[1])
+    result.is_group = is_one
     return result
 
 

@@ -88,8 +88,7 @@ def no_fit_union(
         region, 4 vertices: (-1, -1) (3, -1) (3, 1) (-1, 1)
         exact fit: (1,-1) (1,1)
     """
-    origin = read_point(reference, "reference")
     d, g = to_regions(stationary, "stationary"), to_regions(orbiting, "orbiting")
     if not (d and g):
         raise PolygonError(f"{'orbiting' if d else 'stationary'} has no shape")
-    return NoFitUnion(d, g, origin)
+    return NoFitUnion(d, g, read_point(reference, "reference"))

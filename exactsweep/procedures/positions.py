@@ -120,7 +120,6 @@ def find_inner_fit(
     """
     (west, east, south, north) = EdgeIndex(container).box
     moving = [reflect(rings) for rings in (part, *attached)]
-    moved = [*chain.from_iterable(moving)]
     left, right, low, high = EdgeIndex([*part, *chain.from_iterable(attached)]).box
     # The box of the part is in that of the container at positions in this room only.
     room = west - left, east - right, south - low, north - high
@@ -131,7 +130,7 @@ def find_inner_fit(
     frame = west - width, east + width, south - height, north + height
     obstacles = [find_outside(container[0], frame), *([ring] for ring in defects), *placed]
     solid = [outside, *defects, *chain.from_iterable(placed)]
-    segments = find_contact_segments(solid, moved, leave_out_overlapped)
+    segments = find_contact_segments(solid, [*chain.from_iterable(moving)], leave_out_overlapped)
     segments = [segment for segment in segments if _meets(segment.box, room)]
     free = find_free(*_prepare(segments, obstacles, moving), scale)
     return _nest(free.within, free.around, free.fits)

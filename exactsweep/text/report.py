@@ -137,11 +137,10 @@ def report_regions(
     """
     exact = "fits exactly" if f.exact_fits else "does not fit"
     given = {name: getattr(f, name) for name in f.asked if name != "reference"}
-    groups = {name: group for name, group in given.items() if isinstance(group, tuple) and group}
     facts = {
         **files,
         **({"the part": "fits" if f.regions else exact} if "part" in given else {}),
-        **{name: str(len(group)) for name, group in groups.items()},
+        **{name: str(len(v)) for name, v in given.items() if isinstance(v, tuple) and v},
         "reference": write_pair(f.reference),
         "regions": str(len(f.regions)),
         "exact fits": str(len(f.exact_fits)),

@@ -91,10 +91,9 @@ def regions_to_json(f: RegionAnswer, error: Fraction = _ZERO) -> str:
         "reference", "regions", objects with "exterior" and "holes", "exact_fits" and "area", in the
         form of `no_fit_to_json`.
     """
-    given = {name: getattr(f, name) for name in f.asked}
     return write_object(
         {
-            **{name: _write(value) for name, value in given.items() if value != ()},
+            **{name: _write(value) for name in f.asked if (value := getattr(f, name)) != ()},
             "regions": _write([_rings(region) for region in f.regions]),
             "exact_fits": _write(f.exact_fits),
             "area": _write(f.area),

@@ -141,6 +141,9 @@ def test_polygons_of_a_file_are_answered_alone_or_together(tmp_path: Path) -> No
     assert "stationary   2\norbiting     1\n" in run("nfp", obstacles, part, "--together").stdout
     for options in (["--certificate"], ["--turns", "0,90"]):
         assert run("nfp", obstacles, part, "--together", *options).exit_code != 0
+    (knot,) = save(tmp_path, knot=f"{unit} POLYGON ((5 5, 7 7, 7 5, 5 7, 5 5))")
+    assert run("nfp", knot, part).exit_code == 0
+    assert "crosses itself" in refusal(run("nfp", knot, part, "--together"))
 
 
 def test_a_group_of_svg_is_one_rigid_shape(tmp_path: Path) -> None:
