@@ -590,10 +590,28 @@ function squaredDistance(edge, p) {
   return dot(w, w);
 }
 
+function boundaryOf(edges) { // the segments that opposite edges leave; all edges of a point or a segment
+  const lines = new Map(), found = [];
+  for (const [p, q] of edges) {
+    const u = difference(q, p), slope = u.x.sign() ? u.y.over(u.x).reduced() : null;
+    const line = slope ? slope.key() + " " + p.y.minus(slope.times(p.x)).key() : p.x.key();
+    if (!lines.has(line)) lines.set(line, []);
+    lines.get(line).push([p, 1], [q, -1]);
+  }
+  for (const ends of lines.values()) {
+    ends.sort(([p], [q]) => lexicographic(p, q));
+    ends.reduce((n, [p, sign], i) => {
+      if (n && !same(ends[i - 1][0], p)) found.push([ends[i - 1][0], p]);
+      return n + sign;
+    }, 0);
+  }
+  return found.length ? found : edges;
+}
+
 function isDeep({ solids, isOutside }, z, depth) { // in a body, farther than `depth` from its boundary
   return solids.some(({ rings, radius }) => {
     const isIn = winding(rings, z) === (isOutside ? 0 : 1), d = isOutside ? depth.plus(radius) : depth.minus(radius);
-    const nearest = smallest(rings.flatMap(edgesOf).map((e) => squaredDistance(e, z))), square = d.times(d);
+    const nearest = smallest(boundaryOf(rings.flatMap(edgesOf)).map((e) => squaredDistance(e, z))), square = d.times(d);
     return isIn ? d.sign() < 0 || less(square, nearest) : d.sign() < 0 && less(nearest, square);
   });
 }

@@ -62,7 +62,7 @@ from collections.abc import Iterable, Iterator, Sequence
 from decimal import Decimal
 from fractions import Fraction
 from functools import lru_cache
-from itertools import chain, pairwise, product
+from itertools import accumulate, chain, pairwise, product
 from math import gcd, lcm
 from pathlib import Path
 from typing import Any, NamedTuple
@@ -645,25 +645,38 @@ def move(points: Ring, to: Any = AXES[0], mirrored: bool = False, by: Point = (0
     return found[::-1] if mirrored else found
 
 
-def gap(one: Ring, other: Ring, normal: Sequence[int], distance: Rational) -> bool:
+def gap(work: Work, one: Ring, other: Ring, normal: Sequence[int], distance: Rational) -> bool:
     """Return whether a normal proves that two pieces are a distance apart."""
     (x, y), w, v, (n, m) = normal, one[0][2], other[0][2], distance.as_integer_ratio()
+    work.spend(7 + len(one) + len(other), *one[0], *other[0], x, y, n, m)
     found = min(x * s + y * t for s, t, _ in other) * w - max(x * s + y * t for s, t, _ in one) * v
     is_far = found >= 0 and (found * m) ** 2 >= (n * w * v) ** 2 * (x * x + y * y)
     return is_far and (x, y) != (0, 0)
 
 
-def is_inside(body: Body, p: Point, depth: Rational) -> bool:
+def spans(around: Sequence[Edge]) -> list[Any]:
+    """Return the segments that remain of edges less opposite ones, or all edges if none do."""
+    sides, found = defaultdict[Line, Counter[Any]](Counter), list[Any]()
+    for p, q, (a, b, c) in around:
+        sides[max((a, b, c), (-a, -b, -c))].update({place(p): 1, place(q): -1})
+    for at in sides.values():
+        times = accumulate(at[p] for p in sorted(at))
+        found += [e for e, n in zip(pairwise(sorted(at)), times, strict=False) if n]
+    return found or [(place(p), place(q)) for p, q, _ in around]
+
+
+def is_inside(work: Work, body: Body, p: Point, depth: Rational) -> bool:
     """Return whether a point is deeper in a body than a depth, which may be negative."""
     found, (x, y) = False, place(p)
     for rings, radius in body.solids:
         around, squared, more = [*chain(*map(edges, rings))], list[Rational](), depth - radius
-        for (a, b), (c, d) in ((place(start), place(end)) for start, end, _ in around):
+        work.spend(60 * len(around), *p, *chain(*chain(*rings)), *more.as_integer_ratio())
+        for (a, b), (c, d) in spans(around):
             u, v, along = c - a, d - b, (c - a) * (x - a) + (d - b) * (y - b)
             at = min(along / (u * u + v * v), Fraction(1)) if along > 0 else 0
             squared.append((a + at * u - x) ** 2 + (b + at * v - y) ** 2)
-        sign = 1 if winding(around, p) == body.inside else -1
-        found |= sign * min(squared) > (more**2 if more > 0 else -(more**2))
+        limit = more**2 if more > 0 else -(more**2)
+        found |= (1 if winding(around, p) == body.inside else -1) * min(squared) > limit
     return found
 
 
@@ -719,18 +732,17 @@ class Layout:
                 found = [([move(e)], 0) for e in solid(name, rings, cut, self.work)]
         else:
             is_one = not is_outside or (len(items(name, given)) < 2 and not self.frame)
-            is_alone = is_one and cut is exterior is None and not holes
+            is_alone = is_one and cut is exterior is None and holes == []
             need(is_alone, f"{name}: not rounded pieces alone")
             for k, item in enumerate(items(name, given)):
                 points, radius = fields(f"{name}, piece {k}", item, "points", "radius")
-                piece = move(read_points(f"{name}, piece {k}", points))
+                piece = read_points(f"{name}, piece {k}", points)
                 is_piece = is_convex(piece) if len(piece) > 2 else piece
                 need(is_piece, f"{name}, piece {k}: not convex, counter-clockwise")
                 length = number(f"{name}, piece {k}, radius", radius, False)
-                found.append(([piece], -length if is_outside else length))
+                found.append(([move(piece)], -length if is_outside else length))
         need(found or is_outside, f"{name}: no pieces")
-        known = number(f"{name}, error", error, False)
-        return Body(name, found, known, distance, int(not is_outside))
+        return Body(name, found, number(f"{name}, error", error, False), distance, 1 - is_outside)
 
     def read_placement(self, name: str, item: Any, rational: Any) -> Body:
         """Read a placement; return its placed part."""
@@ -740,7 +752,7 @@ class Layout:
         asked, to = read_rotation(name, turn), read_rotation(name, items(name, rational))
         body, _, used = self.parts[key]
         error, points, by = body.error, body.points(), read_points(name, [by])[0]
-        self.work.spend(20 + 10 * len(points), *chain(*points))
+        self.work.spend(20 + 20 * len(points), *chain(*points), *by, to[0].denominator)
         if asked != to:
             need(type(asked) is not tuple, f"{name}: its entry in turns is a different rotation")
             error += max(sum(map(abs, place(p))) for p in points) * rotation_error(to, asked)
@@ -766,7 +778,8 @@ class Layout:
     def prove_valid(self) -> None:
         """Prove that placements are in the container, and apart from each other and obstacles."""
         normals, boxes, least = dict[Any, Any](), list[Any](), self.count - len(self.bodies)
-        beyond, reach = self.bodies[-1], max(e.distance for e in self.bodies) / Fraction(2)
+        work, beyond = self.work, self.bodies[-1]
+        reach = max(e.distance for e in self.bodies) / Fraction(2)
         for n, entry in enumerate(items("apart", self.normals)):
             *key, x, y = items(f"apart[{n}]", entry, 6)
             a, i, b, j = (integer(f"apart[{n}]", k, least, 10**9) for k in key)
@@ -775,25 +788,22 @@ class Layout:
         for one in self.bodies[: self.count]:
             for (points,), radius in one.solids:
                 room = beyond.distance + one.error + beyond.error + radius
+                is_in = not any(is_inside(work, beyond, p, -room) for p in points if not self.frame)
                 for p, way in zip(*self.frame, AXES, strict=True) if self.frame else ():
-                    need(gap([p], points, way, room), f"{one.name}: not in the frame", points[0])
-                for p in () if self.frame else points:
-                    self.work.spend(60 * len(beyond.points()), *p, *chain(*beyond.points()))
-                    need(not is_inside(beyond, p, -room), f"{one.name}: not in the container", p)
-        scale = scale_of(p for one in self.bodies for p in one.points())
-        for a in range(least, self.count):
-            one = self.bodies[a]
+                    is_in = is_in and gap(work, [p], points, way, room)
+                need(is_in, f"{one.name}: not in the container", points[0])
+        scale = scale_of(p for one in self.bodies[: self.count] for p in one.points())
+        for a, one in ((a, self.bodies[a]) for a in range(least, self.count)):
             for i, ((points,), radius) in enumerate(one.solids if a != -1 or self.frame else ()):
                 boxes.append((box(points, scale, reach + one.error + radius), (a, i)))
-        at = tree(boxes)
-        for (a, i), (b, j), _ in near(self.work, at, at):
+                work.spend(10, *boxes[-1][0])
+        for (a, i), (b, j), _ in near(work, *[tree(boxes)] * 2):
             if a < b and b >= 0:
                 one, other = self.bodies[a], self.bodies[b]
                 ((points,), r), ((others,), s) = one.solids[i], other.solids[j]
-                self.work.spend(12 + len(points) + len(others), *points[0], *others[0])
                 far = r + s + one.error + other.error + one.distance
-                known = normals.get((a, i, b, j)) or normals.get((a, -1, b, -1))
-                is_apart = any(gap(points, others, n, far) for n in (known or AXES[0], *AXES))
+                known = normals.get((a, i, b, j)) or normals.get((a, -1, b, -1)) or AXES[0]
+                is_apart = any(gap(work, points, others, n, far) for n in (known, *AXES))
                 reason = f"{one.name}, piece {i}: not apart from {other.name}, piece {j}"
                 need(is_apart, reason, others[0])
 
@@ -801,13 +811,13 @@ class Layout:
         """Prove a fault; return its part or its bodies."""
         kind, key, on, at = fields(name, fault, "kind", "part placements point")
         points, least = read_points(name, [] if at is None else [at]), self.count - len(self.bodies)
-        is_one = type(kind) is str and (on is None) != (key is None)
+        is_one = type(kind) is str and (on is None) != (key is None) and None not in fault.values()
         need(is_one, f"{name}: needs either part or placements")
         if on is None:
             need(type(key) is str and key in self.parts, f"{name}: unknown part")
             is_broken, body = (kind, key) in broken, self.parts[key][0]
             if points:
-                self.work.spend(len(body.points()))
+                self.work.spend(4 * len(body.points()), *points[0], *chain(*body.points()))
                 found = [winding(chain(*map(edges, e)), points[0]) for e, _ in body.solids]
                 is_broken = kind == "shape" and not {*found} <= {0, 1}
             need(is_broken, f"{name}: the part has no such fault", *points)
@@ -815,14 +825,12 @@ class Layout:
         a, b = (integer(name, k, least, self.count) for k in items(name, on, 2))
         is_close, one, other = kind == "too close", self.bodies[a], self.bodies[b]
         is_kind = is_close or kind == ("outside" if b < 0 else "overlap")
-        need(
-            is_kind and a >= 0 and a != b and points, f"{name}: not {kind} of two bodies at a point"
-        )
+        need(is_kind and a >= 0 and a != b and points, f"{name}: not {kind} of two bodies")
         room = other.distance - one.error - other.error
         need(room > 0 or not is_close, f"{name}: the errors leave no room", *points)
         for body in (one, other):
-            self.work.spend(60 * len(body.points()), *points[0], *chain(*body.points()))
-            is_there = is_inside(body, points[0], -room / Fraction(2) if is_close else body.error)
+            depth = -room / Fraction(2) if is_close else body.error
+            is_there = is_inside(self.work, body, points[0], depth)
             need(is_there, f"{name}: not inside {body.name}, or not near enough", *points)
         return frozenset((a, b))
 

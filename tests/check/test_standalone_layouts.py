@@ -97,7 +97,7 @@ VALID = {
         having("layout", "container", "error", to="1/9"),
         "container, piece ",
     ),
-    "beyond the frame": (having(*PLACED, 1, "move", to=["33", "22"]), "not in the frame"),
+    "beyond the frame": (having(*PLACED, 1, "move", to=["33", "22"]), "not in the container"),
     "no part at all": (
         lambda c: put(
             put(c, (*PART, "exterior"), [["0", "0"], ["1", "0"], ["2", "0"]]),
@@ -142,17 +142,17 @@ FAULTS = {
     ),
     "too many bodies": (having(*FAULT, "placements", to=[0, 1, 2]), "not a list of 2 entries"),
     "a body that is none": (having(*FAULT, "placements", to=[0, 3]), "not an integer from -2 to 2"),
-    "outside of a placement": (having(*FAULT, "kind", to="outside"), "of two bodies at a point"),
+    "outside of a placement": (having(*FAULT, "kind", to="outside"), "of two bodies"),
     "overlap with the outside": (
         having(*FAULT, "placements", 1, to=-1),
-        "of two bodies at a point",
+        "of two bodies",
     ),
-    "one body": (having(*FAULT, "placements", to=[0, 0]), "of two bodies at a point"),
+    "one body": (having(*FAULT, "placements", to=[0, 0]), "of two bodies"),
     "obstacles alone": (
         having(*FAULT, to={"kind": "outside", "placements": [-1, -2], "point": ["1", "1"]}),
-        "of two bodies at a point",
+        "of two bodies",
     ),
-    "no point": (without((*FAULT, "point")), "of two bodies at a point"),
+    "no point": (without((*FAULT, "point")), "of two bodies"),
     "a point in one": (having(*FAULT, "point", to=["3/2", "3/2"]), "not inside placements[1]"),
     "a point in the other": (having(*FAULT, "point", to=["7/2", "7/2"]), "inside placements[0]"),
     "a point on an edge": (having(*FAULT, "point", to=["2", "5/2"]), "not inside placements[1]"),
