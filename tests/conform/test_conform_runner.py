@@ -286,7 +286,6 @@ def test_a_journal_has_one_run_at_a_time(tmp_path: Path) -> None:
 
 
 def test_a_full_disk_is_refused_once(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    """The rest is still in the buffer, and would fail again when the file is closed."""
     # An import below the limit would leave a truncated module behind.
     monkeypatch.setattr(sys, "dont_write_bytecode", True)
     soft, hard = resource.getrlimit(resource.RLIMIT_FSIZE)

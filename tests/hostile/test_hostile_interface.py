@@ -29,6 +29,7 @@ from exactsweep import (
     inner_fit_polygon,
     limits,
     no_fit_polygon,
+    no_fit_union,
     overlap,
 )
 from exactsweep.batch import take_all_pairs
@@ -165,6 +166,7 @@ VALID: dict[str, dict[str, Any]] = {
     "formats.from_wkt": {"text": "POLYGON ((0 0, 1 0, 0 1, 0 0))"},
     "formats.round_region": {"side": "closest"},
     "formats.to_numpy": {"dtype": "object"},
+    "no_fit_union": {"stationary": [UNIT], "orbiting": [UNIT]},
     "view.make_page": {"names": ("a", "b"), "tell": str},
 }
 # An address is waited for; progress and restarts are not checked.
@@ -223,6 +225,7 @@ METHODS: list[tuple[object, dict[str, dict[str, Any]]]] = [
     ),
     (no_fit_polygon(UNIT, UNIT), OF_POSITIONS),
     (inner_fit_polygon(HOLED, UNIT), OF_POSITIONS),
+    (no_fit_union([HOLED, UNIT], [UNIT]), {"locate": {"position": (0, 0)}}),
     (overlap(HOLED, UNIT), {}),
     (Polyline(UNIT), {}),
 ]
