@@ -1,7 +1,7 @@
 """The cost of evidence and proof, compared with the sweep: `verify`, undercuts and the page.
 
-A sweep here means its three loops, of polygons that exist already; `verify` gets the parsed
-certificate, and the time of `json.loads` is a column of its own.
+The sweep time covers the three loops but not the construction of the polygons. `verify` takes a
+parsed certificate; `json.loads` is timed in a separate column.
 """
 
 from __future__ import annotations

@@ -88,7 +88,7 @@ def shapes(measured: Sequence[Grown], path: Path) -> None:
 
 
 def _axes(panel: Any, sizes: Sequence[int]) -> None:
-    """Logarithmic axes, the sizes themselves, at most six, along one of them."""
+    """Set both axes to log scale, with x ticks at no more than six of the sizes."""
     panel.set_xscale("log")
     panel.set_yscale("log")
     shown = sizes[:: 1 + (len(sizes) - 1) // 6]

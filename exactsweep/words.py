@@ -36,7 +36,7 @@ def write_vector(direction: Iterable[object]) -> str:
 
 
 def count(number: int, thing: str) -> str:
-    """Write a count with a noun in the regular plural.
+    """Format a count and its noun, with a plural s unless the count is 1.
 
     >>> count(0, "step"), count(1, "step"), count(20, "step")
     ('no steps', '1 step', '20 steps')

@@ -7,7 +7,7 @@ from pathlib import Path
 
 import click
 
-# As in tests that pytest sets up.
+# Same import path as under pytest.
 sys.path.insert(0, str(Path(__file__).parent / "support"))
 
 from right_answers import WRITINGS, judge_writing

@@ -18,7 +18,7 @@ class StoppedError(Exception):
 
 
 class TooSlowError(StoppedError):
-    """A program took longer than it may."""
+    """A program exceeded its time limit."""
 
 
 def run(command: Sequence[str | Path], given: str, seconds: float, *, overhead: float = 0.0) -> str:

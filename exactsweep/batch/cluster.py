@@ -1,4 +1,4 @@
-"""Workers of a Dask cluster, of one machine or many."""
+"""Workers of a Dask cluster, on one machine or many."""
 
 from __future__ import annotations
 
@@ -94,7 +94,7 @@ def _require_address(address: str) -> None:
 
 
 class RecordsOfCluster:
-    """The future result of a chunk."""
+    """A future for the records of one chunk."""
 
     def __init__(self, future: Future[Sequence[bytes]], cluster: Cluster) -> None:
         self.future, self.cluster = future, cluster

@@ -32,7 +32,7 @@ class Output:
     """The records of a batch, including those of an earlier run.
 
     Args:
-        path: the file of the results.
+        path: the results file.
         job: the batch.
         restart: whether to discard the records of an earlier run.
 

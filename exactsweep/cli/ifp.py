@@ -45,9 +45,9 @@ def ifp_command(
     possibly with holes, and of exact fits, where CONTAINER is exactly as wide as PART. It is empty
     if PART does not fit.
 
-    The command reads files as 'exactsweep sweep' does. --wkt writes a POLYGON for each region, and
-    a LINESTRING or a POINT for each exact fit, or POLYGON EMPTY, if all coordinates are finite
-    decimals.
+    The command reads files as 'exactsweep sweep' does. --wkt writes a POLYGON for each region and a
+    LINESTRING or POINT for each exact fit, or POLYGON EMPTY if there are none. It requires
+    coordinates that are finite decimals.
 
     Example:
       exactsweep ifp sheet.json part.wkt

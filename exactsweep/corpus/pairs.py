@@ -87,8 +87,8 @@ def read_case(name: str) -> Case:
 
     Args:
         name: the path of a file, "-" for standard input, or the id of a shipped or generated case.
-            The file has a case as for `case_from_json`; or a pair: what `sweep`, `nfp`, `ifp` or
-            `sum` write with --json, or an object with "directrix", "generatrix" and other members
+            The file holds a case in the format of `case_from_json`, the --json output of `sweep`,
+            `nfp`, `ifp` or `sum`, or an object with "directrix", "generatrix" and optional members
             of a case. A polygon is any JSON of `parse_region`. Answers in a pair are computed
             again.
 

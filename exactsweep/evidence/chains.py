@@ -93,7 +93,7 @@ class _Strips:
 
 
 class _Finder:
-    """The sums listed so far, and their chains.
+    """Search state: the sums listed so far and their chains.
 
     Attributes:
         gaps: the gaps of each side that is not covered, by the number of a sum and the side.

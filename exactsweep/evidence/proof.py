@@ -29,7 +29,8 @@ def add_proof(claim: dict[str, Any]) -> dict[str, Any]:
     """Return the certificate of a claim; the checker rejects that of a wrong claim.
 
     Args:
-        claim: a claim of `evidence.certificate`, or a certificate whose proof is replaced.
+        claim: a claim made by `evidence.certificate`, or a certificate, whose proof is then
+        replaced.
 
     Raises:
         NumberError: a coordinate is not an exact number.

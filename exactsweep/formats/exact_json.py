@@ -31,7 +31,7 @@ def parse_certificate(text: str) -> object:
     """Parse a certificate: JSON whose integers are indices, and become ints.
 
     Raises:
-        FormatError: as by `parse_json`, and integers too long for Python to read.
+        FormatError: as for `parse_json`, or an integer exceeds Python's digit limit.
     """
     return _parse(text, None)
 

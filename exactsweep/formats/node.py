@@ -99,7 +99,7 @@ class JsonNode(NamedTuple):
 
     @property
     def ring(self) -> list[list[str]]:
-        """The vertices of a list of points, as Layout JSON has them."""
+        """The list of points, written as a ring of Layout JSON."""
         return write_ring([read_point(*point) for point in self.each()])
 
     @property

@@ -42,7 +42,7 @@ def require_count(count: int, each: int, what: str) -> None:
 
 
 def find_needed_mib(size: int) -> int | None:
-    """Find the limit in MiB that allows a size in bytes; None if the default does."""
+    """Return the limit in MiB needed for a size in bytes; None if the default suffices."""
     return ceil(size / 2**20) if size > DEFAULT_MIB * 2**20 else None
 
 

@@ -40,7 +40,7 @@ def format_polygons(
         form: one of FORMATS.
         fits: exact fits, pairs of points: LINESTRINGs and POINTs in WKT and GeoJSON, lines of the
             layer "exact fits" in DXF, open lines in SVG, separate rows in CSV.
-        decimals: whether to write numbers of JSON as decimals instead of strings.
+        decimals: whether to write JSON numbers as decimals instead of strings.
         coordinates: the direction of Y and the unit, as from `read_regions`. Y is flipped where the
             format points it the other way (down in SVG, up in all others); SVG and DXF state the
             unit.

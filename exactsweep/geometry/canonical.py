@@ -82,7 +82,7 @@ def canonicalize_ring(points: Sequence[Vertex]) -> CanonicalRing:
 
 # Let a canonical ring be weakly monotone to the X axis. Its bottom chain runs from the least vertex
 # p to the greatest vertex q, its top chain from q back to p. At each x in [p.x, q.x] each chain is
-# an interval. Between the x of two vertices the ends of the intervals are linear. So
+# an interval. Between consecutive vertex abscissas the interval endpoints are linear in x. So
 #
 #     (1)  the ring is simple if, at the x of each vertex except p and q, the whole interval of the
 #          bottom chain lies below that of the top chain;

@@ -102,7 +102,7 @@ class EdgeIndex:
 def touch(a: Vertex, b: Vertex, p: Vertex, q: Vertex) -> list[Vertex] | None:
     """Return the ends of the intersection of edges a b and p q, or None if their left sides meet.
 
-    Left sides meet if the edges cross, or run along each other in one direction.
+    Left sides meet if the edges cross properly, or overlap in the same direction.
 
     >>> touch((0, 0), (2, 0), (1, 0), (1, 2)), touch((0, 0), (2, 0), (3, 0), (1, 0))
     ([(1, 0)], [(1, 0), (2, 0)])

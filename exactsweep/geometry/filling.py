@@ -1,9 +1,9 @@
 """The regions filled by rings that may cross or touch themselves or each other.
 
 All edges are cut where they meet. A sweep line finds the winding numbers on both sides of each
-piece; pieces with the filled area on one side are its boundary. Followed with the area on the left,
-and at each vertex by the next piece clockwise, they make the faces. Faces are cut into two rings at
-vertices that they visit twice.
+piece; pieces with the filled area on one side are its boundary. Tracing the boundary with the area
+on the left, and taking the next piece clockwise at each vertex, yields the faces. Faces are cut
+into two rings at vertices that they visit twice.
 """
 
 from __future__ import annotations

@@ -137,7 +137,7 @@ def read_vertices(vertices: Iterable[Iterable[object]]) -> Lattice:
 
 
 def _read_columns(vertices: Sequence[Iterable[object]]) -> Lattice | None:
-    """Read all first coordinates, then all second ones, if all vertices are tuples or lists of two.
+    """Read the coordinates column by column if every vertex is a tuple or list of length two.
 
     Returns None otherwise, and for rejected numbers: the caller then names the error.
     """

@@ -127,7 +127,7 @@ def _turn_by(degrees: Fraction) -> Turn:
 
 @lru_cache(maxsize=1024)
 def find_rational_turn(degrees: Fraction, bits: int) -> RationalTurn:
-    """Find a rational rotation of few digits with an error of at most 2**-bits, by (2)."""
+    """Find a rational rotation with few digits and an error of at most 2**-bits, by (2)."""
     if not 1 <= bits <= MAX_TURN_BITS:
         raise NumberError(f"bits={bits}: not from 1 to {MAX_TURN_BITS}")
     quarter, rest = divmod(degrees % 360, 90)
@@ -151,7 +151,7 @@ def find_unit_point(degrees: Fraction, allowed: Fraction) -> Point:
 
 
 def _to_circle(t: Fraction, quarters: int) -> Point:
-    """Return the point of the circle for a half-angle tangent, rotated by quarter turns."""
+    """Return the point on the unit circle with half-angle tangent t, rotated by quarter turns."""
     c, s = (1 - t * t) / (1 + t * t), 2 * t / (1 + t * t)
     for _ in range(quarters):
         c, s = -s, c

@@ -282,7 +282,7 @@ def measure_gap(a: Solid, b: Solid, found: Clearance) -> SquaredDistance:
 
 
 def relate(a: Solid, b: Solid) -> Relation:
-    """Decide whether two solids of one lattice overlap, touch or are apart."""
+    """Decide whether two solids on a common lattice overlap, touch or are disjoint."""
     if not is_rounded(a, b):
         return meet(a, b)
     found = find_clearance(a, b, Fraction(0))

@@ -1,4 +1,4 @@
-"""The two placed parts that are nearest to each other."""
+"""The closest pair of placed parts."""
 
 from __future__ import annotations
 

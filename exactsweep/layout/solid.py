@@ -5,10 +5,11 @@
 (2) All solids are on one lattice, if its scale has at most 1024 bits. Turns by many unrelated
     angles would make the scale longer than the numbers themselves. Then each pair has its own
     lattice.
-(3) If a turn is off by e on the unit circle, the solid is off by e r, where r is the greatest
-    distance of a point of the part from its origin. This is the *slack* of the solid: each point of
-    its boundary is within the slack of a point of the true boundary, and vice versa. Certificates
-    bound e and r by sums of coordinates instead of roots: 3/2 e, which is more than 2^(1/2) e, and
+(3) If a rotation has error e on the unit circle, the solid has error at most e r, where r is the
+    maximum distance of the part's points from its origin. This is the *slack* of the solid: each
+    point of its boundary is within the slack of a point of the true boundary, and vice versa.
+    Certificates bound e and r by sums of coordinates instead of roots: 3/2 e, which is more than
+    2^(1/2) e, and
     |x| + |y| for r. At 256 bits or fewer, the first exceeds the second by more than 10^-79, so it
     also covers the error of degrees that were converted from radians, at most 10^-100.
 (4) A flattened curve has an error, a bound on the distance between its lines and the curve. It adds

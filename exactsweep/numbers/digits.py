@@ -33,7 +33,7 @@ _BITS, _DIGITS = 2**13, 2**11
 
 _EXACT = Context(prec=MAX_PREC, Emax=MAX_EMAX, Emin=MIN_EMIN, traps=[Inexact])
 
-# JSON's grammar of numbers, and fractions.
+# The JSON number grammar, extended with fractions.
 _NUMBER = re.compile(
     r"(?P<sign>-?)(?P<whole>0|[1-9][0-9]*)"
     r"(?:/(?P<denominator>0|[1-9][0-9]*)"

@@ -101,8 +101,8 @@ def to_fraction(value: object) -> Fraction:
 
     Raises:
         NumberError: bool, nan, infinities, complex, irrational or symbolic values, other types,
-            strings outside the grammar, and strings and Decimals beyond `limits`, before a number
-            five times as long is computed.
+            strings outside the grammar, and strings and Decimals beyond `limits`. These are
+            rejected before any number five times as long as the limit is computed.
 
     Cost: linear in the length of the input, times the cost of a multiplication of that length.
 

@@ -71,7 +71,7 @@ def clip(chain: Sequence[Vertex], left: Fraction, right: Fraction) -> list[Verte
 
 
 def clip_to(chain: Sequence[Vertex], other: Sequence[Vertex]) -> list[Vertex]:
-    """Return the part of a chain over the x-range of another one, likewise."""
+    """Return the part of a chain over the x-range of another chain; see `clip`."""
     return clip(chain, Fraction(other[0][0]), Fraction(other[-1][0]))
 
 
@@ -135,7 +135,7 @@ def lower_undercuts(s: Sweep) -> list[Undercut]:
 
 
 def no_fit_is_the_definition(pair: SweepPair) -> Iterator[str]:
-    """The no-fit polygon has the exterior, the holes and the exact fits of the definition."""
+    """The exterior, holes and exact fits of the no-fit polygon match the definition."""
     yield tell_unproved(no_fit_polygon(*pair[::-1]))
 
 

@@ -4,7 +4,7 @@
     a square B. Then A + b is in O = int D + int H, because b is a limit of inner points of H. For
     any place of b in B, A + b holds the square in the middle of A + B.
 
-A set of squares is a list of ints, one for each column. Their bits are rows.
+A set of squares is a list of bitmasks, one int per column and one bit per row.
 """
 
 from __future__ import annotations

@@ -191,7 +191,7 @@ def _write_point(point: Point) -> str:
 
 
 def lay_out(tables: Iterable[Table], terminal_width: int | None) -> str:
-    """Write tables as text, separated by empty lines; the width is as for `report`."""
+    """Format tables as text, separated by blank lines; the width is as for `report`."""
     from rich.console import Console
 
     text = StringIO()

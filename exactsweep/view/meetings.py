@@ -1,7 +1,8 @@
 """Positions at which two vertices meet, the only instantaneous contacts inside an edge of a loop.
 
-Two features touch at the positions of a segment, which does not cross the loop. So inside an edge
-of the loop, only an end of the segment can touch the loop, and there two vertices meet.
+The positions at which two given features touch form a segment that does not cross the loop. So
+inside an edge of the loop, only an end of the segment can touch the loop, and there two vertices
+meet.
 """
 
 from __future__ import annotations

@@ -28,7 +28,7 @@ PARTS = [
 
 
 def find_record(case: dict[str, Any]) -> str:
-    """The record of a line, or of a pair of PARTS by its number."""
+    """Return the record of an input line, or of the pair of PARTS with a given number."""
     rounding = Rounding(*case["rounding"]) if "rounding" in case else None
     work: Work = take_all_pairs(PARTS, PARTS, case["what"], rounding).work
     pair = case["pair"]

@@ -230,5 +230,6 @@ def test_programs_are_asked_the_same_of_layouts() -> None:
     assert judge_ours(wrong) == make_shapely(shapes)()
     lines = write_shapes(shapes).splitlines()
     assert lines[0] == "5"
-    # The number of shapes; of each its rings; of each ring its vertices, and these.
+    # The number of shapes; per shape, its number of rings; per ring, its number of vertices, then
+    # the vertices.
     assert len(lines) == 1 + 4 * (2 + 8) + 1 + 2 * (1 + 4)

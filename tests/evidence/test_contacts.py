@@ -75,7 +75,7 @@ def meetings(g: Sequence[Vertex], d: Sequence[Vertex]) -> Found:
 
 
 def lasting(generatrix: Polygon, directrix: Polygon, p: Point, q: Point) -> Found:
-    """Find the contacts that last along a piece of an edge of the trajectory.
+    """Find the contacts that persist along a segment of a trajectory edge.
 
     Contacts change only where a vertex meets a vertex, so one point between each two suffices.
     """

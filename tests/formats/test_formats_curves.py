@@ -1,4 +1,4 @@
-"""Curves as lines: their distance from the true curve is checked in rational arithmetic.
+"""Flattened curves: the flattening error is checked in rational arithmetic.
 
 For a circle that is decided from its equation; for other curves by points of them, and by the
 corners of the lines.

@@ -1,4 +1,4 @@
-"""Rules of instances of nesting programs are checked, or noted as not checked."""
+"""Rules in nesting instances are checked or reported as unchecked."""
 
 from __future__ import annotations
 

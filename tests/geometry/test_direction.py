@@ -271,7 +271,8 @@ def test_the_simplest_of_few_directions_is_chosen(way: Vector, steep: int) -> No
     x, y = way
     up = [(k * x - steep * (k % 2) * y, k * y + steep * (k % 2) * x) for k in range(5)]
     down = [(p + y, q - x) for p, q in reversed(up)]
-    # A zigzag; the steeper, the nearer to the way are all directions to which it is monotone.
+    # A zigzag along `way`: the larger `steep`, the closer to `way` are all its directions of
+    # monotonicity.
     zigzag = Polygon([(-x, -y), *up, (5 * x, 5 * y), *down])
     chosen = choose_direction(zigzag, zigzag)
     assert chosen == find_monotone_directions(zigzag).simplest()

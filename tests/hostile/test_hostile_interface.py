@@ -83,7 +83,7 @@ class Lying:
 
 
 class Telling:
-    """Have a `__geo_interface__` without one ring that can be read."""
+    """An object whose `__geo_interface__` has no valid ring."""
 
     __geo_interface__: ClassVar = {"type": "Polygon", "coordinates": [None, [5]]}
 

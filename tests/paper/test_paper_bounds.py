@@ -1,4 +1,4 @@
-"""Bounds of checks: each passes at the bound, and fails at one more or one less."""
+"""Each check passes exactly at its bound and fails one step beyond it."""
 
 import tracemalloc
 from collections.abc import Callable, Iterable

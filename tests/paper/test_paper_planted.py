@@ -64,7 +64,7 @@ def test_a_slide_that_is_cut_short_is_reported(monkeypatch: pytest.MonkeyPatch) 
         wrong.undercuts = slide._replace(positions=ends), other
         reported = [text.partition(":")[0] for text in section4.bottom_chains_have_two_forms(pair)]
         assert reported == ([] if is_whole else ["not there"])
-    # As if it were along another line, or along two edges.
+    # A bottom chain on another line, or on two edges, is not one edge.
     first, last = slide.bottom
     for bottom in ((first, slide.polygon.vertices[1]), (first, last, other.bottom[1])):
         wrong.undercuts = slide._replace(bottom=bottom), other

@@ -46,7 +46,7 @@ KINDS: list[own.Kind] = ["CC", "CM", "MM"]
 
 
 def chains(kind: own.Kind) -> st.SearchStrategy[tuple[Half, Half, Half]]:
-    """The top and the bottom of G, and the bottom of D, on a lattice."""
+    """Draw the upper and lower chains of G and the lower chain of D, on a lattice."""
 
     def take(pair: tuple[Polygon, Polygon]) -> tuple[Half, Half, Half]:
         (floor, top), (wall, _) = (split(polygon.lattice()[1]) for polygon in pair)

@@ -106,7 +106,7 @@ def _reasons(pair: SmallPair, answered: Any) -> Iterator[str]:
 
 
 def _certificates(pair: SmallPair, answered: Any) -> Iterator[str]:
-    """Require proved certificates of all answers."""
+    """Require a proved certificate for every answer."""
     kernel, s = answered
     g, d = _shapes(pair, kernel)
     for answer in (s, kernel.inner_fit_polygon(d, g), kernel.no_fit_polygon(d, g)):

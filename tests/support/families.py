@@ -40,7 +40,7 @@ MATRICES = [
 
 
 class Pair(NamedTuple):
-    """Generatrix and directrix as given to `sweep`, and a direction to which both are monotone."""
+    """Generatrix and directrix as passed to `sweep`, and a direction in which both are monotone."""
 
     generatrix: Ring
     directrix: Ring

@@ -39,7 +39,7 @@ def list_weakened(source: str) -> Iterator[tuple[int, str]]:
 
 
 def weaken(every: int) -> tuple[int, list[str]]:
-    """Drop each condition of the checker; list those without a failing test."""
+    """Drop each condition of the checker in turn; list those whose removal no test detects."""
     root = Path(standalone.__file__).parents[2]
     source = Path(standalone.__file__).read_text(encoding="utf-8")
     weakened, unnoticed = list(list_weakened(source))[::every], []

@@ -211,7 +211,7 @@ def test_the_command_writes_a_page(tmp_path: Path) -> None:
 
 
 def test_vertices_meet_though_there_is_no_common_lattice() -> None:
-    """Once coordinates off the lattice lost what is behind the point."""
+    """Off-lattice coordinates keep their fractional part (they were once truncated)."""
     thin = [Fraction(1, 10**900 + k) for k in range(8)]
     block = [(thin[0], thin[1]), (3 + thin[2], thin[1]), (3 + thin[2], 2 + thin[3])]
     s = sweep([(0, 0), (1 + thin[4], 0), (1 + thin[4], 1 + thin[5]), (thin[6], 1)], block)

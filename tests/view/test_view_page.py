@@ -72,7 +72,7 @@ def test_arrows_move_g_once_it_was_dragged(show: Open) -> None:
     assert dragged != start
     shown.press("ArrowRight")
     assert shown.position != dragged
-    # The picture was dragged: arrows move it again.
+    # After the picture is dragged, the arrow keys pan it again.
     shown.tab.mouse.move(WIDTH // 3, 30)
     shown.tab.mouse.down()
     shown.tab.mouse.move(WIDTH // 3 + 40, 40, steps=3)

@@ -1,4 +1,4 @@
-"""`python -m benchmarks.peers.adapters NAME`: a program, speaking the protocol of the runner."""
+"""`python -m benchmarks.peers.adapters NAME`: run a program behind the runner's protocol."""
 
 from __future__ import annotations
 

@@ -1,8 +1,8 @@
 """`python -m benchmarks.peers.adapters.measure FOLDER`: judge every installed program.
 
-Each program is asked each of its questions, on the corpus and on generated cases. The journals stay
-in the folder, and a second run asks only for the answers that they lack. Then one page says which
-program is exact on which kinds of cases, and how the others fail.
+Each program answers every question it supports, on the corpus and on generated cases. The journals
+stay in the folder, and a second run asks only for the answers that they lack. Then one page says
+which program is exact on which kinds of cases, and how the others fail.
 """
 
 from __future__ import annotations

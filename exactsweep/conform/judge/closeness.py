@@ -39,7 +39,7 @@ _EDGE = _OpenInterval(Fraction(-1), Fraction(2))
 class _NearEdge(NamedTuple):
     """The points closer than a bound to an edge: an open hexagon, and its bounding box.
 
-    Its strips (u, v, middle, half) have the points p with |u p.x + v p.y - middle| < half.
+    Strip (u, v, middle, half) is the set of points p with |u p.x + v p.y - middle| < half.
     """
 
     left: Fraction

@@ -41,7 +41,7 @@ def match_rounded(
 
 
 def name_joint(exact: Sequence[Loop], theirs: Sequence[Loop], name: str, rounding: Fraction) -> str:
-    """Describe which rings rounding has joined or parted, and where; "" if none."""
+    """Describe which rings rounding merged or split, and where; "" if none."""
     if len(exact) == len(theirs):
         return ""
     left = list[Sequence[Point]](theirs)

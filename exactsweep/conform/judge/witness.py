@@ -7,7 +7,7 @@ polygon H(p) = p - G. By the definitions of the loops (Theorems 2.1 and 2.2),
 - p is inside the outer loop if and only if H(p) overlaps P: the sweep passes or encloses some
   position that puts G onto p;
 - p is inside the inner loop if and only if P contains H(p): every position that puts G onto p
-  overlaps D, and G can reach p from no side.
+  overlaps D, and G cannot reach p from any side.
 
 So the witness for a point of an inner or outer loop is a translation t in H(p), on the trajectory
 or outside; or the point itself if there is none.
@@ -96,7 +96,7 @@ class WitnessError(ExactSweepError):
 
 
 def find_witness(case: Case, name: str, theirs: PointRings, cells: Iterable[Trapezoid]) -> Witness:
-    """Show that an answered loop is wrong, by a Witness with short coordinates.
+    """Return a Witness with short coordinates that proves a reported loop wrong.
 
     Args:
         case: the case.

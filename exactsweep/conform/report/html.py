@@ -104,7 +104,7 @@ def _draw(outcome: Outcome) -> list[Panel]:
 
 
 def _write_unit_test(run: Run, outcome: Outcome) -> str:
-    """Write a failure for a unit test; "" if there is no loop to show."""
+    """Return a failure as unit test code; "" if there is no loop to show."""
     part, numbers = outcome.worst, run.hello.numbers
     if part is None or outcome.case is None or part["name"].endswith("fits"):
         return ""

@@ -70,7 +70,7 @@ class Judges:
         """Yield the ids of failed cases with the outcomes of smaller cases.
 
         Args:
-            outcomes: of failed cases; with the case.
+            outcomes: those of failed cases, each with its case.
             seconds: the limit of each search.
 
         Raises:

@@ -139,7 +139,7 @@ class Run:
 
     @property
     def passed(self) -> bool:
-        """Whether enough was judged, nothing failed, and there are no objections."""
+        """Whether enough cases were judged, none failed and there are no objections."""
         return not self.summary.failures(self.accepted) and not self.find_objections()
 
     def to_json(self) -> dict[str, Any]:

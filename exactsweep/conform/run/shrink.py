@@ -79,8 +79,8 @@ def shrink(
 
     Args:
         case: a case that fails.
-        judge: returns the verdict on a case, as by an implementation and `compare`, or another
-            value that must stay the same. An exception ends the search.
+        judge: returns the property of a case to preserve, such as the verdict of `compare` on an
+            implementation's answer. An exception ends the search.
         tries: the maximum number of calls of `judge`.
         seconds: the time after which it is not called again.
 

@@ -1,4 +1,4 @@
-"""Unlimited cases: named families, seeded, the same on every machine."""
+"""Case generator: named families of seeded random cases, reproducible on every machine."""
 
 from exactsweep.corpus.generator.families import FAMILIES, Family, generate, generate_case
 

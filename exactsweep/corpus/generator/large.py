@@ -17,7 +17,8 @@ def lower_bound_pair(random: Prng) -> RingPair:
         return [[(x, y + slope * x) for x, y in ring] for ring in bumps(*sizes)]
     generatrix = draw_convex(random, 12, 40)
     width = max(x for x, _ in generatrix) - min(x for x, _ in generatrix)
-    # Wider than G: it turns about each tooth; narrower: it rests on two of them.
+    # If the gaps are wider than G, its trajectory follows each tooth; if narrower, G rests on two
+    # teeth.
     share = random.choice([1, 2, 5])
     return generatrix, comb(4 * random.between(2, 5), max(1, 2 * width // share), 100 * width)
 

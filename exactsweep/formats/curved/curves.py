@@ -204,7 +204,7 @@ def _find_unit_point(angle: float) -> tuple[int, int, int]:
 
 
 def find_angle(x: Fraction, y: Fraction) -> float:
-    """Return the angle of a vector, at least 0 and below 2 pi."""
+    """Return the angle of a vector in [0, 2 pi)."""
     scale = max(abs(x), abs(y))
     angle = atan2(y / scale, x / scale)
     return angle + 2 * pi if angle < 0 else angle

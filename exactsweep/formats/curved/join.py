@@ -88,10 +88,10 @@ def gather(drawn: Iterable[Candidate | OpenLine], reading: Reading) -> list[Cand
 def join(lines: Mapping[int, OpenLine], reading: Reading) -> Iterator[tuple[int, Candidate]]:
     """Join lines whose ends are equal or close to each other.
 
-    Each end moves to the closest joint within reach, or becomes one: exact ends first, within
-    `reading.join`, then others, within that and a fourth of the tolerance, all in order. A repeated
-    line counts once. A line whose ends move to one joint vanishes in an outline through that joint;
-    elsewhere it is rejected, for it may be a hole.
+    Each end snaps to the nearest joint within reach, or becomes a new joint. Exact ends come first,
+    with a reach of `reading.join`; then the others, with a reach of `reading.join` plus a quarter
+    of the tolerance; both in file order. A repeated line counts once. A line whose ends move to one
+    joint vanishes in an outline through that joint; elsewhere it is rejected, for it may be a hole.
 
     Args:
         lines: open lines of one layer, by their numbers in the file.

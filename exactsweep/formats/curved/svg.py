@@ -181,7 +181,7 @@ def find_reason_hidden(placed: PlacedElement) -> str:
 
 
 def _read(shape: PlacedElement, reading: Reading) -> list[Candidate | OpenLine]:
-    """Read what a shape draws: regions, and open lines."""
+    """Read the regions and open lines that a shape draws."""
     name, layer, groups = _name(shape), shape.layer, shape.groups
     try:
         matrix = shape.matrix

@@ -92,7 +92,7 @@ class _PathData:
         return found
 
     def _draw(self, kind: str, start: int) -> None:
-        """Read the arguments of a command and draw it; of lines, all at once."""
+        """Read the arguments of a command and draw it; draw a run of lines in one batch."""
         before, (kinds, control) = self.current, self.control
         if kind in "ML":
             self._draw_lines(kind)

@@ -1,4 +1,4 @@
-"""Placed elements of SVG: transformations, views, units, layers and fill rules."""
+"""SVG elements in place: transforms, viewports, units, layers and fill rules."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ _VIEWS = {"svg", "symbol"}
 _STYLED = "transform", "rotate", "scale", "translate"
 _ORIGIN = re.compile(r"(?:\s*0(?:px)?\b){2,3}\s*")
 _BOXES = None, "view-box"
-# Units of length in px; a percentage depends on the attribute.
+# Pixels per unit of length; a percentage is resolved per attribute.
 _PX = {unit: UNITS[unit] / UNITS["px"] for unit in ("mm", "cm", "in", "pt", "pc", "px")}
 _PX |= {"": Fraction(1), "%": Fraction(1)}
 

@@ -92,7 +92,7 @@ def _declarations(text: str) -> Iterator[tuple[str, str, bool]]:
 
 def name_kind(element: Element) -> str:
     """Return the name of an element of SVG."""
-    # Comments and processing instructions have a function for a tag.
+    # The tag of a comment or processing instruction is a function.
     return element.tag.removeprefix(SPACE) if isinstance(element.tag, str) else ""
 
 

@@ -184,7 +184,7 @@ def _drawn_ring(elements: JsonNode) -> list[list[str]]:
 
 
 def _join(elements: JsonNode, find_start: Callable[[JsonNode], object]) -> list[list[str]]:
-    """Read the starts of elements that are all lines."""
+    """Read the start points of elements, which must all be line segments."""
     for element in elements.each():
         if (element / "type").name.lower() not in ("linesegment", "line_segment", "l"):
             raise FormatError(f"{element.path}: an arc between two rounded ends is not read")

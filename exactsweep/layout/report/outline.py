@@ -94,7 +94,7 @@ def list_vertices(piece: RoundedPiece, center: Point, near: Fraction) -> Sequenc
 
 
 def _find_direction(x: Fraction, y: Fraction, bits: int) -> Point:
-    """Return a rational point of the unit circle near a direction, within about 2**-bits."""
+    """Return a rational point on the unit circle within about 2**-bits of a direction."""
     length = bound_root(x * x + y * y, bits)[0]
     if x < 0:
         back = _find_direction(-x, -y, bits)

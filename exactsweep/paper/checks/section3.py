@@ -113,7 +113,7 @@ def closed_chains_merge(pair: SweepPair) -> Iterator[str]:
 
 
 def clockwise_slopes_merge(pair: SweepPair) -> Iterator[str]:
-    """The edges, sorted by slopes measured clockwise, are the trajectory."""
+    """Sorting the edges by clockwise slope yields the trajectory."""
     if merge_all(pair, sign=-1) != look_up_bottom(pair, "trajectory"):
         yield "sorted by slopes measured clockwise, the edges are not the trajectory"
 

@@ -13,7 +13,8 @@ def compute() -> PaperFigure:
     """Compute the figure."""
     s = sweep_example()
     half = take_half(s)
-    # The inner boundary to the letter reaches beyond both ends of D: it is the top chain of all
+    # Taken literally, the definition of the inner boundary extends it beyond both ends of D: it is
+    # the top chain of all
     # that G passes over in the lower sweep.
     top, path = find_inner(half), find_trajectory(half)
     inner, outer = sweep_mm(*half)
