@@ -114,9 +114,12 @@ def _read_given(polygon: Any) -> list[Ring]:
 
 
 def _read_path(path: Any) -> Ring:
-    points = list(getattr(path, "points", path))
+    try:
+        points = [node(*map(to_fraction, p)) for p in getattr(path, "points", path)]
+    except TypeError:
+        raise ExactSweepError(f"a {type(path).__name__} is not a path") from None
     is_closed = getattr(path, "closed", False)
-    return _drop_repeated(*_read_given([*points, *points[:1]] if is_closed else points))
+    return _drop_repeated([*points, *points[:1]] if is_closed else points)
 
 
 def _drop_repeated(points: Ring) -> Ring:
