@@ -10,13 +10,13 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from fractions import Fraction
-from math import isqrt, tau
+from math import tau
 from typing import NamedTuple
 
 from exactsweep.formats.curved.curves import Arc
 from exactsweep.formats.curved.path import Path
 from exactsweep.geometry.vectors import cross, minus, turn
-from exactsweep.numbers.number import Point
+from exactsweep.numbers.number import Point, find_root
 
 _TURN = 0.5
 
@@ -74,8 +74,8 @@ def find_rounded(path: Path) -> RoundedOutline | None:
     if None in found or len(squares) != 1 or len(directions) != 1 or abs(spans - tau) > _TURN:
         return None
     square, left = squares.pop(), directions.pop()
-    radius = Fraction(isqrt(square.numerator), isqrt(square.denominator))
-    if radius * radius != square:
+    radius = find_root(square)
+    if radius is None:
         return None
     arcs = [
         _Round(path.points[k], path.points[k + 1], circle[0])

@@ -26,7 +26,7 @@ from exactsweep.geometry.distance import find_foot, measure_to_edge
 from exactsweep.geometry.region import Region
 from exactsweep.geometry.vectors import find_hull
 from exactsweep.layout.reading import LayoutError, read_gap, read_list, read_object, read_ring
-from exactsweep.numbers.number import ORIGIN, Edge, Loop, Point, Rational, Vertex
+from exactsweep.numbers.number import ORIGIN, Edge, Loop, Point, Rational, Vertex, find_root
 
 _LEAST = 3
 _SIDES, _AREA_BITS = 32, 64
@@ -135,10 +135,10 @@ def bound_root(square: Fraction, bits: int) -> tuple[Fraction, Fraction]:
     >>> bound_root(Fraction(9, 4), 8), bound_root(Fraction(2), 2)
     ((Fraction(3, 2), Fraction(3, 2)), (Fraction(11, 8), Fraction(3, 2)))
     """
+    exact = find_root(square)
+    if exact is not None:
+        return exact, exact
     n, d = square.as_integer_ratio()
-    root, below = isqrt(n), isqrt(d)
-    if root * root == n and below * below == d:
-        return Fraction(root, below), Fraction(root, below)
     shift = max(0, bits + 1 + (d.bit_length() - n.bit_length()) // 2 + 1)
     low = isqrt((n << (2 * shift)) // d)
     return Fraction(low, 1 << shift), Fraction(low + 1, 1 << shift)

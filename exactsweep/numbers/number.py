@@ -8,7 +8,7 @@ from collections.abc import Iterable, Sequence
 from decimal import Decimal
 from fractions import Fraction
 from functools import partial
-from math import gcd
+from math import gcd, isqrt
 from operator import attrgetter
 from typing import NamedTuple
 
@@ -203,6 +203,17 @@ def divide_all(values: Iterable[int | Fraction], divisor: int) -> list[Fraction]
         else:
             found.append(v)  # type: ignore[arg-type]
     return found
+
+
+def find_root(square: Fraction) -> Fraction | None:
+    """Find the square root of a number of at least 0; None if it is irrational.
+
+    >>> find_root(Fraction(9, 4)), find_root(Fraction(2))
+    (Fraction(3, 2), None)
+    """
+    n, d = square.as_integer_ratio()
+    root, below = isqrt(n), isqrt(d)
+    return _make_reduced(root, below) if root * root == n and below * below == d else None
 
 
 def find_simplest_fraction(a: int, b: int, c: int, d: int) -> tuple[int, int]:

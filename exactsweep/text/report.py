@@ -15,7 +15,7 @@ from exactsweep.evidence.sweep import SweepAnswer
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.geometry.region import AnyPolygon, Region
 from exactsweep.numbers.digits import abridge, find_magnitude, format_fraction
-from exactsweep.numbers.number import Fit, Point
+from exactsweep.numbers.number import Fit, Point, find_root
 from exactsweep.words import CLASSES, write_pair
 
 # rich takes longer to import than everything else.
@@ -275,9 +275,9 @@ def take_root(square: Fraction) -> Fraction:
     >>> take_root(Fraction(1, 4)), float(take_root(Fraction(2)))
     (Fraction(1, 2), 1.4142135623730951)
     """
-    n, d = square.as_integer_ratio()
-    exact = Fraction(isqrt(n), isqrt(d))
-    if exact * exact == square:
+    exact = find_root(square)
+    if exact is not None:
         return exact
+    n, d = square.as_integer_ratio()
     bits = max(0, 120 + d.bit_length() - n.bit_length())
     return Fraction(isqrt((n << 2 * bits) // d) + 1, 1 << bits)

@@ -5,12 +5,11 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from fractions import Fraction
 from itertools import pairwise
-from math import isqrt
 from typing import NamedTuple
 
 from exactsweep.check import point_in_polygon
 from exactsweep.numbers.digits import format_fraction
-from exactsweep.numbers.number import Point, Vertex
+from exactsweep.numbers.number import Point, Vertex, find_root
 from exactsweep.paper.checks.section5 import NARROW
 from exactsweep.paper.figures.figure import PaperFigure, find_middle, join_panels, shift
 from exactsweep.paper.figures.minkowski import invert_generatrix, sweep_example
@@ -64,9 +63,8 @@ def _measure(s: Sweep) -> Iterator[Widths]:
     """
     turned = invert_generatrix(s).vertices
     for p, q in pairwise(s.trajectory.vertices):
-        square = (q.x - p.x) ** 2 + (q.y - p.y) ** 2
-        length = Fraction(isqrt(square.numerator), isqrt(square.denominator))
-        if q.x <= p.x or length**2 != square:
+        length = find_root((q.x - p.x) ** 2 + (q.y - p.y) ** 2)
+        if q.x <= p.x or length is None:
             continue
         dx, dy = (q.x - p.x) / length, (q.y - p.y) / length
         at = find_middle(p, q)
