@@ -138,7 +138,7 @@ def find_rational_turn(degrees: Fraction, bits: int) -> RationalTurn:
     # Any number strictly between these is within `off` of every number in [low, high].
     (a, b), (c, d) = (t.as_integer_ratio() for t in (max(high - off, _ZERO), low + off))
     q, p = find_simplest_fraction(a, b, c, d)
-    return RationalTurn(*_to_circle(Fraction(p, q), quarter), 2 * off)
+    return RationalTurn(*from_half_tangent(Fraction(p, q), quarter), 2 * off)
 
 
 def find_unit_point(degrees: Fraction, allowed: Fraction) -> Point:
@@ -147,11 +147,15 @@ def find_unit_point(degrees: Fraction, allowed: Fraction) -> Point:
     Its half tangent is a decimal.
     """
     quarter, rest = divmod(degrees % 360, 90)
-    return _to_circle(_round_half_tangent(rest, allowed / 2) if rest else _ZERO, quarter)
+    return from_half_tangent(_round_half_tangent(rest, allowed / 2) if rest else _ZERO, quarter)
 
 
-def _to_circle(t: Fraction, quarters: int) -> Point:
-    """Return the point on the unit circle with half-angle tangent t, rotated by quarter turns."""
+def from_half_tangent(t: Fraction, quarters: int = 0) -> Point:
+    """Return the point on the unit circle with half-angle tangent t, rotated by quarter turns.
+
+    >>> from_half_tangent(Fraction(1, 2), 1)
+    Point(x=Fraction(-4, 5), y=Fraction(3, 5))
+    """
     c, s = (1 - t * t) / (1 + t * t), 2 * t / (1 + t * t)
     for _ in range(quarters):
         c, s = -s, c

@@ -24,6 +24,7 @@ from typing import Any, NamedTuple
 from exactsweep.geometry.canonical import find_doubled_area
 from exactsweep.geometry.distance import find_foot, measure_to_edge
 from exactsweep.geometry.region import Region
+from exactsweep.geometry.turn import from_half_tangent
 from exactsweep.geometry.vectors import find_hull
 from exactsweep.layout.reading import LayoutError, read_gap, read_list, read_object, read_ring
 from exactsweep.numbers.number import ORIGIN, Edge, Loop, Point, Rational, Vertex, find_root
@@ -199,16 +200,8 @@ def list_disc(sides: int) -> tuple[Point, ...]:
 @cache
 def _list_normals(sides: int) -> list[Point]:
     """List rational points of the unit circle at nearly equal angles."""
-    normals = []
-    for quarter in range(4):
-        for k in range(sides // 4):
-            half = Fraction(tan(pi * k / sides)).limit_denominator(50)
-            square = half * half
-            x, y = (1 - square) / (1 + square), 2 * half / (1 + square)
-            for _ in range(quarter):
-                x, y = -y, x
-            normals.append(Point(x, y))
-    return normals
+    tangents = [Fraction(tan(pi * k / sides)).limit_denominator(50) for k in range(sides // 4)]
+    return [from_half_tangent(t, quarters) for quarters in range(4) for t in tangents]
 
 
 def bound_area(shape: BodyShape | None) -> tuple[Fraction, Fraction] | None:

@@ -8,6 +8,7 @@ from itertools import chain
 from math import ceil, hypot, log2
 
 from exactsweep.canvas.window import Window
+from exactsweep.geometry.turn import from_half_tangent
 from exactsweep.geometry.vectors import find_hull
 from exactsweep.layout.layout import Layout
 from exactsweep.layout.rounded import RoundedPiece, bound_root
@@ -101,7 +102,7 @@ def _find_direction(x: Fraction, y: Fraction, bits: int) -> Point:
         return Point(-back.x, -back.y)
     # The tangent of half the angle, with few digits.
     t = Fraction(round(y / (x + length) * 2**bits), 2**bits)
-    return Point((1 - t * t) / (1 + t * t), 2 * t / (1 + t * t))
+    return from_half_tangent(t)
 
 
 def _list_turns(share: Fraction) -> list[Point]:
@@ -111,7 +112,4 @@ def _list_turns(share: Fraction) -> list[Point]:
     tangents = [fine * k / (2 * _STEPS) for k in range(_STEPS + 1)]
     while tangents[-1] < _BACK:
         tangents.append(tangents[-1] * (4 if tangents[-1] < _COARSE else Fraction(5, 4)))
-    found = []
-    for t in (*(-t for t in tangents[:0:-1]), *tangents):
-        found.append(Point((1 - t * t) / (1 + t * t), 2 * t / (1 + t * t)))
-    return found
+    return [from_half_tangent(t) for t in (*(-t for t in tangents[:0:-1]), *tangents)]
