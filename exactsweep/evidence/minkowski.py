@@ -10,8 +10,8 @@ from collections.abc import Sequence
 from itertools import chain
 from typing import Any
 
-from exactsweep.evidence.certificate import claim_no_fit, claim_sum
-from exactsweep.evidence.sweep import Solution, place_loop, solve
+from exactsweep.evidence.certificate import claim_sum
+from exactsweep.evidence.sweep import Solution, claim_pair, place_loop, solve
 from exactsweep.geometry.canonical import PolygonError
 from exactsweep.geometry.direction import Vector
 from exactsweep.geometry.frame import find_shared_direction
@@ -72,9 +72,7 @@ class MinkowskiSum(Region):
             points = [*other.points, *other.points[:1]] if other.closed else other.points
             return claim_sum(Region(shape), points, self)
         reflected = other.reflected()
-        found = solve_pair(shape, reflected)
-        exterior, holes = place_loop(found.trajectory), map(place_loop, found.holes)
-        return claim_no_fit(Region(shape), Region(reflected), exterior, holes, found.fits)
+        return claim_pair(Region(shape), Region(reflected), solve_pair(shape, reflected))
 
 
 @tells_arguments

@@ -8,9 +8,9 @@ from fractions import Fraction
 from functools import cached_property
 from typing import Any, Literal
 
-from exactsweep.evidence.certificate import claim_inner_fit, claim_no_fit
+from exactsweep.evidence.certificate import claim_inner_fit
 from exactsweep.evidence.certified import Certified
-from exactsweep.evidence.sweep import Solution, place_fits, place_loop, solve
+from exactsweep.evidence.sweep import Solution, claim_pair, place_fits, place_loop, solve
 from exactsweep.geometry.canonical import PolygonError
 from exactsweep.geometry.direction import Vector
 from exactsweep.geometry.frame import Kind
@@ -81,14 +81,7 @@ class NoFitAnswer(Certified):
         return "overlap" if self.exterior.contains(t) and not in_hole else "free"
 
     def _claim(self) -> dict[str, Any]:
-        found = self.solution
-        return claim_no_fit(
-            self.stationary,
-            self.orbiting,
-            place_loop(found.trajectory),
-            map(place_loop, found.holes),
-            found.fits,
-        )
+        return claim_pair(self.stationary, self.orbiting, self.solution)
 
     @property
     def __geo_interface__(self) -> GeoJson:

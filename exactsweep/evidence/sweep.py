@@ -54,6 +54,12 @@ def place_fits(fits: Iterable[Fit], reference: Point) -> tuple[Fit, ...]:
     return tuple((p, q) for p, q in (_move(fit, reference) for fit in fits))
 
 
+def claim_pair(stationary: Region, orbiting: Region, found: Solution) -> dict[str, Any]:
+    """Claim the no-fit polygon of a pair, with positions of the origin."""
+    exterior, holes = place_loop(found.trajectory), map(place_loop, found.holes)
+    return claim_no_fit(stationary, orbiting, exterior, holes, found.fits)
+
+
 def _move(points: Sequence[Point], by: Point) -> Sequence[Point]:
     if by == ORIGIN:
         return points
@@ -235,14 +241,7 @@ class SweepAnswer(Certified):
         return make_polygon([loop.vertices for loop in (self.outer, self.inner, *self.unswept)])
 
     def _claim(self) -> dict[str, Any]:
-        found = self.solution
-        no_fit = claim_no_fit(
-            Region(self.directrix),
-            Region(self.generatrix),
-            place_loop(found.trajectory),
-            map(place_loop, found.holes),
-            found.fits,
-        )
+        no_fit = claim_pair(Region(self.directrix), Region(self.generatrix), self.solution)
         return claim_sweep(no_fit, self.inner, self.outer, self.unswept, self.area)
 
     def __str__(self) -> str:
