@@ -18,7 +18,7 @@ from exactsweep.layout.rounded import HullDistance, bound_root, measure_hulls, s
 from exactsweep.layout.solid import OutsideForm, Solid, meet
 from exactsweep.numbers.number import Point, Rational, Vertex
 
-_BITS, _MOST_HALVINGS = 64, 64
+_BITS, _MOST_HALVINGS = 64, 1024
 
 
 class Clearance(NamedTuple):
@@ -219,7 +219,7 @@ def _walk(
 def _approach(start: Vertex, goal: Vertex) -> Iterator[Vertex]:
     """List points from the goal towards the start, each half as far from the start."""
     share = Fraction(1)
-    for _ in range(_MOST_HALVINGS * 16):
+    for _ in range(_MOST_HALVINGS):
         yield _go(start, goal, share)
         share /= 2
 

@@ -15,7 +15,6 @@ from itertools import pairwise
 from typing import NamedTuple
 
 from exactsweep.geometry.region import Region
-from exactsweep.geometry.vectors import turn
 from exactsweep.layout.judge import Judgement, judge_layout
 from exactsweep.layout.layout import Layout
 from exactsweep.layout.rounded import RoundedPiece, bound_root
@@ -68,13 +67,13 @@ def find_slack(judgement: Judgement) -> ProvedSlack | None:
     solids = [board.solid(k) for k in board.placed]
     shrunk: Region | RoundedPiece
     if isinstance(container, RoundedPiece):
-        center, scale = container.points[0], _shrink_disc(container, solids, layout)
-        shrunk = container._replace(radius=container.radius * scale)
         if len(container.points) > 1:
             return None
+        center, scale = container.points[0], _shrink_disc(container, solids, layout)
+        shrunk = container._replace(radius=container.radius * scale)
     else:
         center, ring = container.exterior.vertices[0], container.exterior.vertices
-        if container.holes or not _is_convex(ring):
+        if not container.is_convex:
             return None
         scale = _shrink_polygon(ring, center, solids, layout)
         shrunk = Region([_move(p, center, scale) for p in ring])
@@ -86,13 +85,6 @@ def find_slack(judgement: Judgement) -> ProvedSlack | None:
 
 def _move(p: Point, center: Point, scale: Fraction) -> Point:
     return Point(center.x + scale * (p.x - center.x), center.y + scale * (p.y - center.y))
-
-
-def _is_convex(ring: tuple[Point, ...]) -> bool:
-    return all(
-        turn(p, q, r) > 0
-        for p, q, r in zip((ring[-1], *ring[:-1]), ring, (*ring[1:], ring[0]), strict=True)
-    )
 
 
 def _list_points(solid: Solid) -> Iterator[tuple[Point, Fraction]]:
