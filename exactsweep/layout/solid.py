@@ -9,21 +9,22 @@
     maximum distance of the part's points from its origin. This is the *slack* of the solid: each
     point of its boundary is within the slack of a point of the true boundary, and vice versa.
     Certificates bound e and r by sums of coordinates instead of roots: 3/2 e, which is more than
-    2^(1/2) e, and
-    |x| + |y| for r. At 256 bits or fewer, the first exceeds the second by more than 10^-79, so it
-    also covers the error of degrees that were converted from radians, at most 10^-100.
+    2^(1/2) e, and |x| + |y| for r. At 256 bits or fewer, the first exceeds the second by more than
+    10^-79, so it also covers the error of degrees that were converted from radians, at most
+    10^-100.
 (4) A flattened curve has an error, a bound on the distance between its lines and the curve. It adds
     to the slack, and a more precise turn does not lower it.
 """
 
 from __future__ import annotations
 
+from abc import abstractmethod
 from collections.abc import Callable, Iterable, Sequence
 from fractions import Fraction
 from functools import cached_property
 from itertools import chain
 from math import isqrt, lcm
-from typing import NamedTuple
+from typing import NamedTuple, Self
 
 from exactsweep.geometry.convex import ConvexRing, IntRing, IntVertex, cut_to_convex
 from exactsweep.geometry.edges import EdgeIndex
@@ -43,7 +44,25 @@ LatticePiece = tuple[ConvexRing, int]
 """A convex hull, of one or two points if it is degenerate, and the radius around it."""
 
 
-class LatticeForm(EdgeIndex):
+class _Scalable:
+    """A form with its images on finer lattices."""
+
+    @cached_property
+    def _scaled(self) -> dict[int, Self]:
+        return {1: self}
+
+    @abstractmethod
+    def mapped(self, matrix: MatrixRows) -> Self: ...
+
+    def scaled(self, factor: int) -> Self:
+        """Return the form on a lattice that is finer by a factor. Cost: O(n), once."""
+        found = self._scaled.get(factor)
+        if found is None:
+            found = self._scaled[factor] = self.mapped((factor, 0, 0, factor))
+        return found
+
+
+class LatticeForm(_Scalable, EdgeIndex):
     """A shape on a lattice, its interior on the left of its rings; many solids share it.
 
     Args:
@@ -59,21 +78,13 @@ class LatticeForm(EdgeIndex):
     ) -> None:
         super().__init__(rings)
         self._cut = cut or (lambda: cut_to_convex(rings))
-        self._scaled: dict[int, LatticeForm] = {1: self}
 
-    def mapped(self, matrix: MatrixRows) -> LatticeForm:
+    def mapped(self, matrix: MatrixRows) -> Self:
         """Return the image under a linear map. Cost: O(n)."""
-        return LatticeForm(
+        return type(self)(
             [_map(ring, matrix) for ring in self.rings],
             lambda: [_map(piece, matrix) for piece in self.pieces],
         )
-
-    def scaled(self, factor: int) -> LatticeForm:
-        """Return the form on a lattice that is finer by a factor. Cost: O(n), once."""
-        found = self._scaled.get(factor)
-        if found is None:
-            found = self._scaled[factor] = self.mapped((factor, 0, 0, factor))
-        return found
 
     @cached_property
     def hull(self) -> list[IntVertex]:
@@ -91,7 +102,7 @@ class LatticeForm(EdgeIndex):
         return [(piece, 0) for piece in self.pieces]
 
 
-class RoundedForm:
+class RoundedForm(_Scalable):
     """Rounded pieces on a lattice; many solids share them.
 
     Args:
@@ -102,20 +113,12 @@ class RoundedForm:
 
     def __init__(self, rounded: Sequence[LatticePiece]) -> None:
         self.rounded = [*rounded]
-        self._scaled: dict[int, RoundedForm] = {1: self}
 
-    def mapped(self, matrix: MatrixRows) -> RoundedForm:
+    def mapped(self, matrix: MatrixRows) -> Self:
         """Return the image under a similarity of rational factor. Cost: O(n)."""
         a, b, c, d = matrix
         by = isqrt(abs(a * d - b * c))
         return type(self)([(_map(hull, matrix), by * radius) for hull, radius in self.rounded])
-
-    def scaled(self, factor: int) -> RoundedForm:
-        """Return the form on a lattice that is finer by a factor. Cost: O(n), once."""
-        found = self._scaled.get(factor)
-        if found is None:
-            found = self._scaled[factor] = self.mapped((factor, 0, 0, factor))
-        return found
 
     @cached_property
     def box(self) -> LatticeBox:
