@@ -10,7 +10,7 @@ from typing import Any
 
 import pytest
 from certified import rect, with_faults
-from checkers import check_agreement, needs_node
+from checkers import check_agreement, is_proved, needs_node
 from rounded_pieces import (
     Certificate,
     draw_pair,
@@ -26,14 +26,6 @@ from exactsweep.check.standalone import Refused, prove
 from exactsweep.layout import Layout, judge_layout
 
 DISC: Any = {"points": [["0", "0"]], "radius": "5"}
-
-
-def is_proved(certificate: Certificate) -> bool:
-    try:
-        prove(certificate)
-    except Refused:
-        return False
-    return True
 
 
 def disc(x: Any, y: Any, radius: Any) -> dict[str, Any]:

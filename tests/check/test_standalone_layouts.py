@@ -10,6 +10,7 @@ from typing import Any
 
 import pytest
 from certified import PIECES_OF_L, Certificate, L, layout, rect, two_ls, with_faults
+from checkers import is_proved
 from tampering import get, put
 
 from exactsweep.check.standalone import Refused, prove, read_rotation, rotation_error
@@ -263,7 +264,7 @@ def test_slanted_normals_are_exact() -> None:
         normals = [[0, -1, 1, -1, "3", "4"]]
         found = layout([part], placed, cut, 40, spacing=str(spacing), apart=normals)
         found = {**found, "turns": [["3/5", "4/5"]] * 2}
-        assert (room >= 5 + spacing) == (not _is_refused(found))
+        assert (room >= 5 + spacing) == is_proved(found)
 
 
 def test_normals_point_from_one_body_to_the_other() -> None:
@@ -279,14 +280,6 @@ def test_normals_point_from_one_body_to_the_other() -> None:
     # One for these pieces counts before one for all.
     both = [[0, 0, 1, 0, "3", "4"], [0, -1, 1, -1, "0", "1"]]
     assert prove(put(found, ("proof", "apart"), both))
-
-
-def _is_refused(certificate: Certificate) -> bool:
-    try:
-        prove(certificate)
-    except Refused:
-        return True
-    return False
 
 
 def test_irrational_rotations_have_an_error() -> None:
@@ -332,9 +325,9 @@ def test_the_bound_on_a_rotation_is_that_of_interval_arithmetic(degrees: int) ->
 def test_a_defect_may_have_a_distance_of_its_own(spacing: Any, is_valid: bool) -> None:
     defect = {"exterior": rect(1, 1, 4, 4), "spacing": spacing}
     found = layout([SQUARE], [at(6, 3)], [[rect(0, 0, 2, 2)]], defects=[defect], margin="3")
-    assert _is_refused(found) is not is_valid
+    assert is_proved(found) is is_valid
     fault = {"kind": "too close", "placements": [0, -2], "point": ["5", "7/2"]}
-    assert _is_refused(with_faults(found, fault)) is is_valid
+    assert is_proved(with_faults(found, fault)) is not is_valid
 
 
 @pytest.mark.parametrize(
@@ -343,7 +336,7 @@ def test_a_defect_may_have_a_distance_of_its_own(spacing: Any, is_valid: bool) -
 def test_mirrored_placements_may_have_rotations_of_their_own(allowed: Any, is_valid: bool) -> None:
     part = {**SQUARE, "turns": ["180"], "mirrored_turns": allowed}
     found = layout([part], [at(9, 9, mirrored=True)], [[rect(0, 0, 2, 2)]])
-    assert _is_refused(found) is not is_valid
+    assert is_proved(found) is is_valid
     turn = with_faults(found, {"kind": "turn", "part": "a"})
-    assert _is_refused(turn) is is_valid
-    assert _is_refused(put(found, (*PLACED, 0, "mirrored"), False))
+    assert is_proved(turn) is not is_valid
+    assert not is_proved(put(found, (*PLACED, 0, "mirrored"), False))

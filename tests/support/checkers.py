@@ -14,12 +14,21 @@ CHECKER = Path(__file__).parents[2] / "exactsweep" / "check" / "standalone.js"
 needs_node = pytest.mark.skipif(shutil.which("node") is None, reason="no node")
 
 
-def is_proved(text: str) -> bool:
+def is_proved(certificate: Any) -> bool:
+    """Whether the checker in Python proves a certificate, JSON data."""
     try:
-        prove(load(text))
-    except (Refused, ValueError, RecursionError):  # the latter two: not JSON
+        prove(certificate)
+    except Refused:
         return False
     return True
+
+
+def is_text_proved(text: str) -> bool:
+    try:
+        certificate = load(text)
+    except (Refused, ValueError, RecursionError):  # the latter two: not JSON
+        return False
+    return is_proved(certificate)
 
 
 def ask_node(texts: list[str], folder: Path) -> list[str]:
@@ -40,7 +49,7 @@ def check_agreement(certificates: list[Any], folder: Path) -> int:
     texts = [c if type(c) is str else json.dumps(c) for c in certificates]
     answers = ask_node(texts, folder)
     assert len(answers) == len(texts)
-    verdicts = [is_proved(text) for text in texts]
+    verdicts = [is_text_proved(text) for text in texts]
     for text, answer, verdict in zip(texts, answers, verdicts, strict=True):
         assert answer.startswith("proved: " if verdict else "not proved: "), (answer, text)
     return sum(verdicts)

@@ -15,6 +15,7 @@ from itertools import combinations, pairwise
 from random import Random
 from typing import Any
 
+from checkers import is_proved
 from rounded_pieces import TRIPLES, Rounded, Vertex, are_disjoint, find_nearest, square, write
 
 from exactsweep.check.standalone import Refused, prove
@@ -284,11 +285,3 @@ def is_false(certificate: dict[str, Any]) -> bool:
     }
     true = {(kind, tuple(on)) for kind, on in faults} | {("too close", on) for _, on in faults}
     return any((kind, tuple(sorted(on))) not in true for kind, on in claimed)
-
-
-def is_proved(certificate: dict[str, Any]) -> bool:
-    try:
-        prove(certificate)
-    except Refused:
-        return False
-    return True
