@@ -2,13 +2,11 @@
 
 from __future__ import annotations
 
-import json
 from collections.abc import Iterator
-from functools import cache
-from importlib.resources import files
 from typing import Any, NamedTuple
 
 from exactsweep.corpus.names import require_known
+from exactsweep.corpus.shipped import read_shipped
 from exactsweep.layout import Layout
 from exactsweep.numbers.error import tells_arguments
 
@@ -48,7 +46,7 @@ def layout_cases() -> Iterator[LayoutCase]:
         >>> next(layout_cases()).title
         'Six tiles fill a box'
     """
-    for data in _read()["cases"]:
+    for data in read_shipped("layouts")["cases"]:
         yield LayoutCase(
             data["id"], data["title"], data["layout"], data["expected"], data.get("note", "")
         )
@@ -64,9 +62,3 @@ def find_layout_case(id: str) -> LayoutCase:
     """
     found = {case.id: case for case in layout_cases()}
     return found[require_known(id, found, "layout")]
-
-
-@cache
-def _read() -> Any:
-    text = files("exactsweep.corpus").joinpath("layouts.json").read_text(encoding="utf-8")
-    return json.loads(text)

@@ -2,13 +2,11 @@
 
 from __future__ import annotations
 
-import json
 from collections.abc import Iterator
-from functools import cache
-from importlib.resources import files
 from typing import Any, NamedTuple
 
 from exactsweep.corpus.names import require_known
+from exactsweep.corpus.shipped import read_shipped
 from exactsweep.geometry.polyline import Polyline
 from exactsweep.geometry.region import Region
 from exactsweep.numbers.error import tells_arguments
@@ -45,7 +43,7 @@ def path_cases() -> Iterator[PathCase]:
         >>> next(path_cases()).sum.area
         Fraction(9255, 1)
     """
-    for data in _read()["cases"]:
+    for data in read_shipped("paths")["cases"]:
         path = Polyline(data["path"]["points"], closed=data["path"]["closed"])
         shapes = [
             Region(one["exterior"], one.get("holes", ()))
@@ -65,9 +63,3 @@ def find_path_case(id: str) -> PathCase:
     """
     found = {case.id: case for case in path_cases()}
     return found[require_known(id, found, "sum with a path")]
-
-
-@cache
-def _read() -> Any:
-    text = files("exactsweep.corpus").joinpath("paths.json").read_text(encoding="utf-8")
-    return json.loads(text)

@@ -193,5 +193,11 @@ def notes() -> dict[str, Note]:
         >>> notes()["rounded-answer"].meaning
         'At the integer scale, some coordinate of the answer is not an integer.'
     """
-    text = files("exactsweep.corpus").joinpath("notes.json").read_text(encoding="utf-8")
-    return {flag: Note(**note) for flag, note in json.loads(text).items()}
+    return {flag: Note(**note) for flag, note in read_shipped("notes").items()}
+
+
+@cache
+def read_shipped(name: str) -> Any:
+    """Read a JSON file of the package by its name without suffix."""
+    text = files("exactsweep.corpus").joinpath(f"{name}.json").read_text(encoding="utf-8")
+    return json.loads(text)
