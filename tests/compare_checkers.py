@@ -29,7 +29,7 @@ from exactsweep.check.terms import TheoremError, write_numbers
 # Tests import each other by bare names, as under pytest.
 sys.path.insert(0, str(Path(__file__).parent))
 sys.path.insert(0, str(Path(__file__).parent / "support"))
-from falsify import LAYOUTS, SHAPES, change, mix
+from falsify import LAYOUTS, ROUNDED, SHAPES, SUMS, change, mix
 
 # Reasons of `standalone.py` that concern the form of a certificate: `claims.py` reads more forms.
 FORM = re.compile(
@@ -43,7 +43,7 @@ DROPPED = "(fun x _ -> x)", "(fun _ y -> y)"
 
 def draw(rng: Random, changes: int) -> Iterator[tuple[str, Any]]:
     """Draw certificates and changes of them; yield each with a name for what was changed."""
-    family = rng.choice([SHAPES, SHAPES, LAYOUTS])
+    family = rng.choice([SHAPES, SHAPES, SUMS, LAYOUTS, ROUNDED])
     known = list(family.draw(rng))
     for one in known:
         yield "unchanged", one

@@ -22,6 +22,7 @@ from exactsweep.check.terms import (
     TheoremError,
     find_unit,
     read_fits,
+    read_path,
     read_ring,
     read_rings,
     scale,
@@ -29,6 +30,7 @@ from exactsweep.check.terms import (
 )
 
 RINGS, RING, POINT = "list Statements.ring", "Statements.ring", "Statements.point"
+PATH = "list Statements.point"
 REGIONS = "list (Statements.ring * list Statements.ring)"
 SEGMENTS = "list (Statements.point * Statements.point)"
 
@@ -37,14 +39,13 @@ def to_claim(certificate: Any) -> CoqClaim:
     """Return the claim of a certificate of version 3 that is valid by the schema.
 
     Raises:
-        TheoremError: the certificate is of another version, or its claim has no form in Coq: a sum
-            with a path, or a layout with faults or in a rounded container other than a disc.
+        TheoremError: the certificate is of another version, or its claim has no form in Coq: a
+            layout with faults or in a rounded container other than a disc.
     """
-    kinds = {"no_fit": _no_fit, "sweep": _sweep, "inner_fit": _inner_fit, "layout": claim_layout}
+    kinds = {"no_fit": _no_fit, "sweep": _sweep, "sum": _sum, "inner_fit": _inner_fit}
+    kinds["layout"] = claim_layout
     if (certificate["format"], certificate["version"]) != (FORMAT, VERSION):
         raise TheoremError(f"not a certificate of version {VERSION}")
-    if certificate["claim"] == "sum":
-        raise TheoremError("a sum with a path has no theorem")
     return kinds[certificate["claim"]](certificate)
 
 
@@ -80,10 +81,9 @@ def _sweep(c: Any) -> CoqClaim:
     d, g, exterior, holes, fits = _answer(c)
     proof, outer, inner = c["proof"], read_ring(c["outer"]), read_ring(c["inner"])
     unswept, slits = [*map(read_ring, c["unswept"])], read_fits(c["proof"]["slits"])
-    moving = [*map(read_ring, proof["generatrix"])]
-    unit = find_unit(exterior, *g, outer, inner, *unswept, *slits, *moving)
-    swept = {"Sweep.unit": unit, "Sweep.moving": scale(moving, unit)}
-    swept["Sweep.listed_sums"] = _sums(proof["swept"])
+    swept = _swept(
+        proof["generatrix"], proof["swept"], exterior, g, [outer, inner, *unswept], slits
+    )
     statement = _question(d, g, exterior, holes, fits)
     statement |= {"outer": (RING, outer), "inner": (RING, inner), "unswept": (RINGS, unswept)}
     statement |= {"slits": (SEGMENTS, slits), "area": ("Q", Fraction(c["area"]))}
@@ -95,9 +95,29 @@ def _sweep(c: Any) -> CoqClaim:
         "evidence": known,
         "cut": _cut(known[1].fields["NoFit.unit"], exterior, holes),
     }
-    evidence |= {"swept": ("sweep_certificate", Record(swept))}
-    evidence |= {"swept_cut": _cut(unit, outer, [inner, *unswept])}
+    unit = swept[1].fields["Sweep.unit"]
+    evidence |= {"swept": swept, "swept_cut": _cut(unit, outer, [inner, *unswept])}
     return CoqClaim("sweep", statement, {**evidence, "middle": (POINT, middle)})
+
+
+def _swept(
+    pieces: Any, sums: Any, path: Any, shape: Any, loops: Any, slits: Any
+) -> tuple[str, Record]:
+    moving = [*map(read_ring, pieces)]
+    unit = find_unit(path, *shape, *loops, *slits, *moving)
+    found = {"Sweep.unit": unit, "Sweep.moving": scale(moving, unit)}
+    return "sweep_certificate", Record({**found, "Sweep.listed_sums": _sums(sums)})
+
+
+def _sum(c: Any) -> CoqClaim:
+    proof, exterior, holes = c["proof"], read_ring(c["exterior"]), [*map(read_ring, c["holes"])]
+    shape, path, slits = read_rings(c["shape"]), read_path(c["path"]), read_fits(proof["slits"])
+    statement: dict[str, tuple[str, Any]] = {"shape": (RINGS, shape)}
+    statement |= {"path": (PATH, path), "exterior": (RING, exterior), "holes": (RINGS, holes)}
+    statement |= {"slits": (SEGMENTS, slits)}
+    swept = _swept(proof["shape"], proof["sums"], path, shape, [exterior, *holes], slits)
+    cut = _cut(swept[1].fields["Sweep.unit"], exterior, holes)
+    return CoqClaim("sum", statement, {"evidence": swept, "cut": cut})
 
 
 def _inner_fit(c: Any) -> CoqClaim:

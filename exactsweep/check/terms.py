@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from fractions import Fraction
+from itertools import groupby
 from math import lcm
 from typing import Any, NamedTuple
 
@@ -74,9 +75,14 @@ def read_points(items: Any) -> list[RationalPoint]:
 
 
 def read_ring(items: Any) -> list[RationalPoint]:
-    """Read a ring; a point that repeats the one before it is dropped."""
+    """Read a ring and drop points equal to their predecessors."""
     points = read_points(items)
     return [p for k, p in enumerate(points) if p != points[k - 1]]
+
+
+def read_path(items: Any) -> list[RationalPoint]:
+    """Read a path and drop points equal to their predecessors."""
+    return [point for point, _ in groupby(read_points(items))]
 
 
 def read_fits(items: Any) -> list[tuple[RationalPoint, RationalPoint]]:

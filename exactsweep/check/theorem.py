@@ -16,6 +16,7 @@ CLAIMS = {
     "no_fit": ("no_fit_polygon", "no_fit_polygon_sound", "check_no_fit_polygon"),
     "inner_fit": ("inner_fit_polygon", "inner_fit_polygon_sound", "check_inner_fit_polygon"),
     "sweep": ("sweep_of", "whole_sweep_sound", "check_whole_sweep"),
+    "sum": ("path_sum", "path_sum_sound", "check_path_sum"),
     "layout": ("valid", "layout_valid", "check_entries"),
 }
 HEAD = """(* {title}
@@ -37,6 +38,7 @@ TITLES = {
     "no_fit": "A no-fit polygon: exterior, holes, and exact fits.",
     "inner_fit": "An inner fit: regions, and exact fits.",
     "sweep": "A no-fit polygon, and the area swept along its exterior.",
+    "sum": "The sum of a shape and a path.",
     "layout": "A valid layout.",
 }
 

@@ -16,7 +16,7 @@ from command import run
 from compare_checkers import compare, line_of, weaken
 from falsify import change
 
-from exactsweep import inner_fit_polygon, no_fit_polygon, sweep
+from exactsweep import Polyline, Region, inner_fit_polygon, minkowski_sum, no_fit_polygon, sweep
 from exactsweep.check.claims import to_claim
 from exactsweep.check.extracted import PROOF, accept, ask, build_checker, missing_tools
 from exactsweep.check.terms import Nat, Some, write_numbers
@@ -41,6 +41,7 @@ CAVE = [
 UNIT = [(0, 0), (1, 0), (1, 1), (0, 1)]
 TRAY = [(0, 0), (5, 0), (5, "7/2"), (0, 4)]
 
+KINDS = ["no_fit", "inner_fit", "sweep", "sum", "layout"]
 CLOSED = "Closed under the global context\n"
 
 STRAIGHT = [
@@ -68,6 +69,7 @@ def small_certificates() -> dict[str, Any]:
         "no_fit": no_fit_polygon(CAVE, UNIT).certificate(),
         "inner_fit": inner_fit_polygon(TRAY, UNIT).certificate(),
         "sweep": sweep(UNIT, CAVE).certificate(),
+        "sum": minkowski_sum(Region(UNIT), Polyline([(0, 0), (3, 1), (1, 4)])).certificate(),
         "layout": judge_layout(valid.layout).certificate(),
     }
 
@@ -94,7 +96,7 @@ def test_terms_have_one_word_for_each_number() -> None:
     assert write_numbers(claim).split()[:4] == ["no_fit", "1", "12", "0/1"]
 
 
-@pytest.mark.parametrize("kind", ["no_fit", "inner_fit", "sweep", "layout"])
+@pytest.mark.parametrize("kind", KINDS)
 def test_a_theorem_has_the_numbers_of_the_certificate(kind: str) -> None:
     text = write_theorem(small_certificates()[kind], "name")
     assert "name.v" in text
@@ -210,7 +212,7 @@ def compile_theorem(folder: Path, name: str, certificate: Any) -> subprocess.Com
 
 @needs_tools
 @pytest.mark.long
-@pytest.mark.parametrize("kind", ["no_fit", "inner_fit", "sweep", "layout"])
+@pytest.mark.parametrize("kind", KINDS)
 def test_coq_proves_a_certificate_and_not_a_changed_one(tmp_path: Path, kind: str) -> None:
     build_checker()
     certificate = small_certificates()[kind]
@@ -219,6 +221,8 @@ def test_coq_proves_a_certificate_and_not_a_changed_one(tmp_path: Path, kind: st
         wrong["layout"]["placements"][-1]["move"][0] += "1"
     elif kind == "inner_fit":
         wrong["regions"][0]["exterior"][0][0] = "1/3"
+    elif kind == "sum":
+        wrong["path"][1][0] = "2"
     else:
         wrong["exact_fits"] = []
     done = compile_theorem(tmp_path, "right", certificate)

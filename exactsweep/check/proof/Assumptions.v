@@ -14,5 +14,6 @@ Print Assumptions sweep_sound.
 Print Assumptions no_fit_polygon_sound.
 Print Assumptions inner_fit_polygon_sound.
 Print Assumptions whole_sweep_sound.
+Print Assumptions path_sum_sound.
 Print Assumptions locate_sound.
 Print Assumptions layout_valid.

@@ -78,7 +78,7 @@ Definition check_whole_sweep (D G : list Statements.ring) (exterior : Statements
     (slits : list (Statements.point * Statements.point)) (area : Q) (c : no_fit_certificate) (t : triangles)
     (c' : sweep_certificate) (t' : triangles) (z : Statements.point) : bool :=
   let loops := Statements.with_holes outer (inner :: unswept) in
-  check_no_fit_polygon D G exterior holes fits c t && check_sweep exterior G loops slits c' &&
+  check_no_fit_polygon D G exterior holes fits c t && check_sweep (Statements.edges exterior) G loops slits c' &&
   check_named (Sweep.unit c') outer (inner :: unswept) t' && (Statements.winding D z =? 1)%Z && (Statements.winding [inner] z =? 1)%Z &&
   Qeq_bool (2 * area) (Statements.doubled_area loops).
 Theorem whole_sweep_sound D G exterior holes fits outer inner unswept slits area c t c' t' z :
@@ -92,6 +92,16 @@ Proof.
   - exact (check_named_spec _ _ _ _ Na).
   - exists z. split; apply Z.eqb_eq; assumption.
   - apply Qeq_bool_iff, E.
+Qed.
+
+(* Sums with paths *)
+Definition check_path_sum (G : list Statements.ring) (path : list Statements.point) (exterior : Statements.ring) (holes : list Statements.ring)
+    (slits : list (Statements.point * Statements.point)) (c : sweep_certificate) (t : triangles) : bool :=
+  check_sweep (combine path (tl path)) G (Statements.with_holes exterior holes) slits c && check_named (Sweep.unit c) exterior holes t.
+Theorem path_sum_sound G path exterior holes slits c t :
+  check_path_sum G path exterior holes slits c t = true -> Statements.path_sum G path exterior holes slits.
+Proof.
+  unfold check_path_sum. intro H. apply andb_prop in H as (A & B). split; [exact (sweep_sound _ _ _ _ c A)|exact (check_named_spec _ _ _ _ B)].
 Qed.
 
 (* One translation, decided by the loops and fits of a no-fit polygon *)

@@ -3,4 +3,4 @@ From Exactsweep Require Import Layout NoFit InnerFit Sweep Claims.
 From Exactsweep Require Statements.
 Require Import Extraction ExtrOcamlBasic ExtrOcamlZBigInt ExtrOcamlNatInt.
 Extraction Language OCaml.
-Extraction "extracted/checker.ml" check_layout check_no_fit_polygon check_inner_fit_polygon check_whole_sweep.
+Extraction "extracted/checker.ml" check_layout check_no_fit_polygon check_inner_fit_polygon check_whole_sweep check_path_sum.

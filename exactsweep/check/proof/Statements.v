@@ -162,11 +162,11 @@ Definition inner_fit_claim (C G regions : list ring) (fits : list (point * point
 Definition inner_fit_polygon (C G : list ring) (regions : list (ring * list ring)) (fits : list (point * point)) : Prop :=
   inner_fit_claim C G (flat_map (fun r => with_holes (fst r) (snd r)) regions) fits /\ Forall (fun r => named (fst r) (snd r)) regions.
 
-(* Swept areas: G travels along the loop T.  The claim on loops, and on slits, which are no part of the
+(* Swept areas: G travels along the segments T.  The claim on loops, and on slits, which are no part of the
    answer: off them, the loops wind once around the points that G covers on its way, and not around the rest. *)
-Definition swept (T : ring) (G : list ring) (p : point) : Prop :=
-  exists t, on_any (edges T) t /\ closure (inside (translate t G)) p.
-Definition sweep_claim (T : ring) (G loops : list ring) (slits : list (point * point)) : Prop :=
+Definition swept (T : list (point * point)) (G : list ring) (p : point) : Prop :=
+  exists t, on_any T t /\ closure (inside (translate t G)) p.
+Definition sweep_claim (T : list (point * point)) (G loops : list ring) (slits : list (point * point)) : Prop :=
   forall p, ~ on_any (flat_map edges loops ++ slits) p ->
     (swept T G p /\ winding loops p = 1%Z) \/ (~ swept T G p /\ winding loops p = 0%Z).
 
@@ -177,8 +177,11 @@ Definition doubled_area (rs : list ring) : Q :=
 Definition sweep_of (D G : list ring) (T : ring) (holes : list ring) (fits : list (point * point))
     (outer inner : ring) (unswept : list ring) (slits : list (point * point)) (area : Q) : Prop :=
   let loops := with_holes outer (inner :: unswept) in
-  no_fit_polygon D G T holes fits /\ sweep_claim T G loops slits /\ named outer (inner :: unswept) /\
+  no_fit_polygon D G T holes fits /\ sweep_claim (edges T) G loops slits /\ named outer (inner :: unswept) /\
   (exists z, inside D z /\ winding [inner] z = 1%Z) /\ 2 * area == doubled_area loops.
+(* The sum of a shape and a path: what the shape covers on its way *)
+Definition path_sum (G : list ring) (path : list point) (exterior : ring) (holes : list ring) (slits : list (point * point)) : Prop :=
+  sweep_claim (combine path (tl path)) G (with_holes exterior holes) slits /\ named exterior holes.
 
 (* Real points: a sequence of rational points, number n at distance 1 / (n + 1) or less from it in both coordinates.
    RealPoints.v: a real point in the interiors of two sets shows an overlap, and `at_least` holds for real limits. *)

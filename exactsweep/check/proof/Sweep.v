@@ -1,5 +1,5 @@
-(* The checker of swept areas, and its theorem. O is the union of the open sums of an edge of T and a piece of G; the
-   area that G covers along T is the closure of O. *)
+(* The checker of swept areas, and its theorem. O is the union of the open sums of a segment of the path T and a piece
+   of G; the area that G covers along T is the closure of O. *)
 Require Import QArith Lqa ZArith Lia List Bool.
 From Exactsweep Require Import Cancel Constant Fans Pieces Solid Gaps Scaling.
 From Exactsweep Require Statements.
@@ -69,13 +69,12 @@ Proof.
 Qed.
 
 Section Data.
-Variables (T : Statements.ring) (G loops : list Statements.ring) (slits : list side) (c : sweep_certificate).
+Variables (T : list side) (G loops : list Statements.ring) (slits : list side) (c : sweep_certificate).
 Let N := unit c.
 Definition solid_G : solid := {| rings := int_rings (Zpos N) G; pieces := moving c |}.
-(* The edges of T, as segments *)
-Definition segments : list ring := map (fun e => [fst e; snd e]) (edges (map (int_point (Zpos N)) T)).
+Definition segments : list ring := map (fun e => [fst e; snd e]) (map (int_edge N) T).
 Definition check_sweep : bool :=
-  all_integral (Zpos N) [T] && all_integral (Zpos N) G && all_integral (Zpos N) loops && forallb (integral_edge N) slits &&
+  forallb (integral_edge N) T && all_integral (Zpos N) G && all_integral (Zpos N) loops && forallb (integral_edge N) slits &&
   simple_solid solid_G && forallb is_convex (moving c) &&
   Sums.boundary segments (moving c) [] (int_rings (Zpos N) loops) (map (int_edge N) slits) (listed_sums c) [] 1.
 
@@ -83,10 +82,10 @@ Definition reaches (e : side) (Q : ring) (p : qpoint) : Prop := exists t,
   Statements.on_segment e t /\ inS (Statements.edges (qring N Q)) (back_by t p).
 Definition at_sum (P Q : ring) (p : qpoint) : Prop :=
   match P with [a; b] => reaches (qpt N a, qpt N b) Q p | _ => False end.
-Definition O (p : qpoint) : Prop := exists e Q, In e (Statements.edges T) /\ In Q (moving c) /\ reaches e Q p.
+Definition O (p : qpoint) : Prop := exists e Q, In e T /\ In Q (moving c) /\ reaches e Q p.
 
 Section Accepted.
-Hypothesis IT : all_integral (Zpos N) [T] = true.
+Hypothesis IT : forallb (integral_edge N) T = true.
 Hypothesis IG : all_integral (Zpos N) G = true.
 Hypothesis SG : simple_solid solid_G = true.
 Hypothesis PG : forall Q, In Q (moving c) -> is_convex Q = true.
@@ -139,9 +138,7 @@ Qed.
 
 Lemma O_iff p : O p <-> SumsSound.O N segments (moving c) [] at_sum p.
 Proof.
-  assert (M : Forall2 (fun e f => meets_at (fst e) (fst f) /\ meets_at (snd e) (snd f)) (Statements.edges T)
-    (map (qe N) (edges (map (int_point (Zpos N)) T)))).
-  { rewrite ring_sides. apply edges_meet. pose proof (int_rings_meet N [T] IT) as H. inversion H; subst. assumption. }
+  pose proof (int_edges_meet N T IT) as M.
   split.
   - intros (e & Q & Ie & IQ & t & Ot & I). destruct (forall2_left _ _ _ M e Ie) as (f' & F & A & B). apply in_map_iff in F as (f & <- & F).
     left. exists [fst f; snd f], Q. split; [exact (in_map (fun e => [fst e; snd e]) _ f F)|]. split; [exact IQ|].

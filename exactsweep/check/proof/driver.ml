@@ -76,6 +76,9 @@ let answer = function
     let slits = list segment in let area = rational () in let c = no_fit_certificate () in let t = triangles () in
     let c' = sweep_certificate () in let t' = triangles () in
     check_whole_sweep d g exterior holes fits outer inner unswept slits area c t c' t' (rational_point ())
+  | "sum" ->
+    let g = list rational_ring in let path = rational_ring () in let exterior = rational_ring () in let holes = list rational_ring in
+    let slits = list segment in let c = sweep_certificate () in check_path_sum g path exterior holes slits c (triangles ())
   | "layout" ->
     let l = layout () in let c = certificate () in let n = normals () in
     check_layout n (fun a i b j -> n (B.int_of_big_int a) i b j) l c
