@@ -67,6 +67,8 @@ PAIRS = [
     # A slot, caves, a room, a hole in a hole's place, and coordinates that doubles only round.
     *("worked-u-shape", "holes-room", "fits-square"),
     *("jigsaw-triangles-slanted", "touching-edge", "vertical-wall-up-and-down"),
+    # Products of coordinates overflow or underflow.
+    *("sizes-binary64-overflow", "sizes-binary64-least"),
 ]
 CRATES = Path("/usr/share/cargo/registry")
 """Where Debian puts crates."""

@@ -25,14 +25,26 @@ const size_t MOST = 2500;  // Pairs of edges; the sum takes time proportional to
 
 Shape minkowski_sum(Shape a, Shape b);
 
+Shape scale(Shape shape, double k) {
+  for (Ring& ring : shape)
+    for (auto& [x, y] : ring) x *= k, y *= k;
+  return shape;
+}
+
 // The rings around the positions of the reference point at which g overlaps d.
-Shape no_fit(const Shape& d, Shape g, const Point& reference) {
-  for (Ring& ring : g)
-    for (auto& [x, y] : ring) x = -x, y = -y;
-  Shape rings = minkowski_sum(d, g);
+Shape no_fit(const Shape& d, const Shape& g, const Point& reference) {
+  Shape rings = minkowski_sum(d, scale(g, -1));
   for (Ring& ring : rings)
     for (auto& [x, y] : ring) x += reference.first, y += reference.second;
   return rings;
+}
+
+// The greatest absolute value of a coordinate.
+double find_size(const Shape& shape) {
+  double size = 0;
+  for (const Ring& ring : shape)
+    for (const auto& [x, y] : ring) size = max({size, abs(x), abs(y)});
+  return size;
 }
 
 const Point& before(const Ring& ring, size_t k) { return ring[(k + ring.size() - 1) % ring.size()]; }
@@ -154,13 +166,19 @@ Shape join(set<Line> pieces) {
 
 // The rings of a + b: edges of each at convex corners of the other, cut and filtered.
 Shape minkowski_sum(Shape a, Shape b) {
+  const double largest = max(find_size(a), find_size(b));
+  if (largest < 1e-70 || largest > 1e70) {
+    // Products would overflow or underflow; scaling by a power of two is exact.
+    const double k = ldexp(1, largest > 1 ? -200 : 200);
+    return scale(minkowski_sum(scale(a, k), scale(b, k)), 1 / k);
+  }
   a = orient(a), b = orient(b);
   vector<Line> placed, lines;
   place_edges(a, b, placed);
   place_edges(b, a, placed);
-  double near = 0;
-  for (const auto& [p, q] : placed)
-    for (double c : {p.first, p.second, q.first, q.second}) near = max(near, 1e-13 * abs(c));
+  double size = 0;
+  for (const auto& [p, q] : placed) size = max(size, find_size({{p, q}}));
+  const double near = 1e-13 * size;
   Ring nodes;
   const auto find_node = [&](const Point& p) {
     for (const Point& q : nodes)

@@ -9,12 +9,18 @@ const MOST = 2500; // Pairs of edges; the sum takes time proportional to their s
 
 // The rings around the positions of the reference point at which g overlaps d.
 function noFit(d, g, [x, y]) {
-  const rings = minkowskiSum(d, mapPoints(g, ([u, v]) => [-u, -v]));
+  const rings = minkowskiSum(d, scale(g, -1));
   return mapPoints(rings, ([u, v]) => [u + x, v + y]);
 }
 
 // The rings of a + b: edges of each at convex corners of the other, cut and filtered.
 function minkowskiSum(a, b) {
+  const size = Math.max(...[a, b].flat(3).map(Math.abs));
+  if (size < 1e-70 || size > 1e70) {
+    // Products would overflow or underflow; scaling by a power of two is exact.
+    const k = size > 1 ? 2 ** -200 : 2 ** 200;
+    return scale(minkowskiSum(scale(a, k), scale(b, k)), 1 / k);
+  }
   [a, b] = [orient(a), orient(b)];
   const placed = [...placeEdges(a, b), ...placeEdges(b, a)];
   const near = placed.flat(2).reduce((most, c) => Math.max(most, 1e-13 * Math.abs(c)), 0);
@@ -49,6 +55,7 @@ function minkowskiSum(a, b) {
 }
 
 const mapPoints = (shape, change) => shape.map((ring) => ring.map(change));
+const scale = (shape, k) => mapPoints(shape, ([x, y]) => [k * x, k * y]);
 const between = (p, q, t) => [p[0] + t * (q[0] - p[0]), p[1] + t * (q[1] - p[1])];
 const sides = (ring) => ring.map((p, k) => [ring.at(k - 1), p]);
 

@@ -27,13 +27,22 @@ Contours = list[Contour]
 
 def no_fit(d: Contours, g: Contours, reference: XY) -> Contours:
     """Return the rings around the positions of the reference point at which g overlaps d."""
-    reflected = [[(-x, -y) for x, y in ring] for ring in g]
-    rings = minkowski_sum(d, reflected)
+    rings = minkowski_sum(d, scale(g, -1))
     return [[(x + reference[0], y + reference[1]) for x, y in ring] for ring in rings]
+
+
+def scale(shape: Contours, k: float) -> Contours:
+    """Multiply all coordinates."""
+    return [[(k * x, k * y) for x, y in ring] for ring in shape]
 
 
 def minkowski_sum(a: Contours, b: Contours) -> Contours:
     """Return the rings of a + b: edges of each at convex corners of the other, cut and filtered."""
+    size = max(abs(c) for ring in (*a, *b) for p in ring for c in p)
+    if not 1e-70 < size < 1e70:
+        # Products would overflow or underflow; scaling by a power of two is exact.
+        k = 2.0**-200 if size > 1 else 2.0**200
+        return scale(minkowski_sum(scale(a, k), scale(b, k)), 1 / k)
     a, b = orient(a), orient(b)
     lines = [*place_edges(a, b), *place_edges(b, a)]
     near = 1e-13 * max(abs(c) for line in lines for p in line for c in p)

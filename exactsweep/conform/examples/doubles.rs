@@ -18,16 +18,22 @@ const MOST: usize = 2500;
 
 /// The rings around the positions of the reference point at which g overlaps d.
 fn no_fit(d: &Shape, g: &Shape, reference: Point) -> Shape {
-    let rings = minkowski_sum(d, &map(g, |(x, y)| (-x, -y)));
+    let rings = minkowski_sum(d, &scale(g, -1.0));
     map(&rings, |(x, y)| (x + reference.0, y + reference.1))
 }
 
 /// The rings of a + b: edges of each at convex corners of the other, cut and filtered.
 fn minkowski_sum(a: &Shape, b: &Shape) -> Shape {
+    let size = |most: f64, p: &Point| most.max(p.0.abs()).max(p.1.abs());
+    let largest = a.iter().chain(b).flatten().fold(0.0, size);
+    if largest < 1e-70 || largest > 1e70 {
+        // Products would overflow or underflow; scaling by a power of two is exact.
+        let k = 2f64.powi(if largest > 1.0 { -200 } else { 200 });
+        return scale(&minkowski_sum(&scale(a, k), &scale(b, k)), 1.0 / k);
+    }
     let (a, b) = (&orient(a), &orient(b));
     let placed = [place_edges(a, b), place_edges(b, a)].concat();
-    let size = |&(p, q): &Line| p.0.abs().max(p.1.abs()).max(q.0.abs()).max(q.1.abs());
-    let near = 1e-13 * placed.iter().map(size).fold(0.0, f64::max);
+    let near = 1e-13 * placed.iter().fold(0.0, |most, (p, q)| size(size(most, p), q));
     let mut nodes: Vec<Point> = vec![];
     let mut find_node = |p: Point| {
         let is_near = |q: &Point| (p.0 - q.0).abs() < near && (p.1 - q.1).abs() < near;
@@ -70,6 +76,10 @@ fn minkowski_sum(a: &Shape, b: &Shape) -> Shape {
 
 fn map(shape: &Shape, change: impl Fn(Point) -> Point) -> Shape {
     shape.iter().map(|ring| ring.iter().map(|&p| change(p)).collect()).collect()
+}
+
+fn scale(shape: &Shape, k: f64) -> Shape {
+    map(shape, |(x, y)| (k * x, k * y))
 }
 
 fn between(p: Point, q: Point, t: f64) -> Point {
