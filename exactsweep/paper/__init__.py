@@ -1,8 +1,6 @@
-"""The paper, claim by claim: statements, verdicts and evidence.
+"""The claims of the paper, with a verdict and evidence for each.
 
-`ledger.toml` has a row for each definition, theorem, lemma, corollary, table, procedure and figure,
-and for each remark without proof, in the order of the paper; its head describes a row. A row names
-functions of `checks`: laws, to try on random pairs, and a check, which looks for counterexamples in
-other methods, or counts. `ledger.CLAIMS` has the rows, `claim.reproduce` checks them, and
-`report.write` reports the findings, as does the command `exactsweep reproduce`.
+`ledger.toml` lists all definitions, theorems, lemmas, procedures and figures of the paper, and its
+unproved remarks. `ledger.CLAIMS` holds the entries, `claim.reproduce` checks them, and
+`report.write` writes a report, like the command `exactsweep reproduce`.
 """

@@ -1,8 +1,7 @@
-"""Claims of the paper, findings of checks, and comparisons of the two.
+"""Claims of the paper, and the evidence for and against them.
 
-A check looks for counterexamples to the statement as printed, and as corrected in the ledger.
-Those of the first kind make a row "with a condition" or "refuted". A row fails if there is one of
-the second kind, or if an announced one of the first kind is not found.
+A check looks for counterexamples to the printed statement and to the corrected one. A row fails if
+the corrected statement has a counterexample, or if the printed one has none despite its verdict.
 """
 
 from __future__ import annotations
@@ -32,15 +31,12 @@ class ClaimVerdict(Enum):
 
     @property
     def objects(self) -> bool:
-        """Decide whether the statement does not hold as printed."""
+        """Whether the printed statement fails."""
         return self not in (ClaimVerdict.REPRODUCED, ClaimVerdict.SHARPENED, ClaimVerdict.ADDED)
 
 
 class Counterexample(NamedTuple):
-    """A case in which a statement fails: the fault, and how it was found and reduced.
-
-    G and D are empty if the case is not a pair.
-    """
+    """A case in which a statement fails; G and D are empty if the case is not a pair."""
 
     text: str
     how: str
@@ -61,13 +57,13 @@ class Evidence:
     """The findings of a check.
 
     Attributes:
-        tried: the cases and their number, as text.
-        failure: a counterexample to the statement as corrected; empty if there is none.
-        cases: counterexamples to the statement as printed, or to parts of it.
-        tables: measured numbers.
-        growth: counted operations or vertices over doubling sizes.
+        tried: a description of the tested cases.
+        failure: a counterexample to the corrected statement, or an empty string.
+        cases: counterexamples to the printed statement.
+        tables: measurements.
+        growth: counts over doubling sizes.
         sampled: the number of random pairs, the minimum over all laws.
-        searched: the number of cases tried of finite sets.
+        searched: the number of cases in exhaustive searches.
     """
 
     tried: str = ""
@@ -80,7 +76,7 @@ class Evidence:
 
 
 Observation = str | Counterexample | Table | Growth | Evidence
-"""An observation of a check. A text describes a failure; an empty one means none."""
+"""What a check yields. A string describes a failure unless it is empty."""
 
 
 @dataclass(frozen=True)
@@ -95,17 +91,17 @@ class Effort:
         return Prng(f"{self.seed} {label}")
 
     def cases(self, count: int) -> int:
-        """Return the number of cases to try: 3 `count`, or a thirtieth of that if quick."""
+        """Return the number of cases to try: 3 `count`, or `count` / 10 in a quick run."""
         return max(1, count // 10) if self.quick else 3 * count
 
     def sizes(self, first: int = 16, quick: int = 2, full: int = 4) -> list[tuple[int, int]]:
-        """Return the sizes (m, n) at which to count: the first and its doublings."""
+        """Return the sizes (m, n): the first one and its doublings."""
         return double(first, quick if self.quick else full)
 
 
 @dataclass(frozen=True)
 class Claim:
-    """A row of the ledger; its fields are described at the head of ledger.toml."""
+    """A row of the ledger; the top of ledger.toml describes the fields."""
 
     name: str
     section: str
@@ -124,7 +120,7 @@ class Claim:
 
 
 class Finding(NamedTuple):
-    """A claim, the result of its check, and the time of the check."""
+    """A claim with the evidence and the CPU time of its check."""
 
     claim: Claim
     evidence: Evidence
@@ -132,7 +128,7 @@ class Finding(NamedTuple):
 
     @property
     def disagreement(self) -> str:
-        """Why the evidence does not support the verdict; empty if it does."""
+        """The conflict between evidence and verdict, or an empty string."""
         evidence, objected = self.evidence, self.claim.verdict.objects
         if evidence.failure:
             return evidence.failure
@@ -142,7 +138,7 @@ class Finding(NamedTuple):
             return f"the statement as printed fails: {evidence.cases[0].text}"
         named = {kind for kind in self.claim.evidence if kind not in ("case", "cited")}
         if amiss := sorted(named ^ self._kinds):
-            return f"evidence announced but missing, or present but not announced: {amiss}"
+            return f"announced and found evidence differ in: {amiss}"
         return ""
 
     @property
@@ -160,12 +156,12 @@ class Finding(NamedTuple):
 
 
 def find_first_failure(failures: Iterable[str]) -> str:
-    """Return the first text that is not empty, or an empty one."""
+    """Return the first nonempty text, or an empty string."""
     return next(filter(None, failures), "")
 
 
 def gather(parts: Iterable[Observation]) -> Evidence:
-    """Combine the observations of a check; a growth beyond its bound is a failure."""
+    """Combine the observations of a check into one Evidence."""
     found = [part if isinstance(part, Evidence) else _READ[type(part)](part) for part in parts]
     cases, tables, growth = (
         tuple(one for part in found for one in getattr(part, name))
@@ -189,7 +185,7 @@ _READ: dict[type, Callable[[Any], Evidence]] = {
 
 
 def reproduce(claims: Iterable[Claim], effort: Effort) -> Iterator[Finding]:
-    """Check claims one by one; an exception counts as a failure.
+    """Check claims one by one; an exception is a failure.
 
     >>> from exactsweep.paper.ledger import find
     >>> row, = reproduce([find("Slope")], Effort(quick=True))

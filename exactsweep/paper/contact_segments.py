@@ -1,11 +1,10 @@
-"""Contact segments: positions at which a translate can touch a shape, vertex on edge.
+"""Contact segments: positions at which a vertex of one shape touches an edge of the other.
 
-With H = -G they are sums of a vertex of D or of H and an edge of the other. Segments along which D
-and G + t overlap next to the contact are dropped: an angle at the vertex reaches to the right of
-the edge. Where two vertices meet, the position is an end of a remaining segment: of two angles
-without a common direction, one lies beyond a side of the other. Where rings touch there are several
-angles at a vertex. Such positions are points of their own: two links of a chain may hold each other
-by such vertices and nothing else.
+Each is the sum of a vertex of D or of H = -G and an edge of the other shape. A segment is dropped
+if D and G + t overlap next to the contact: an angle at the vertex reaches to the right of the edge.
+A position where two vertices meet is an end of a remaining segment, because of two angles without
+a common direction, one lies beyond a side of the other. Where rings touch, a vertex has several
+angles, and such positions are kept as points: two chain links may be held by them alone.
 """
 
 from __future__ import annotations
@@ -23,11 +22,10 @@ _Angles = dict[Vertex, Cones]
 
 
 def find_contacts(d: LatticeShape, h: LatticeShape) -> tuple[list[Edge], set[Vertex]]:
-    """Find translations t with a vertex of D or G + t on an edge or a vertex of the other.
+    """Find all positions of contact without overlap between D and G, and some with overlap.
 
-    The rings are those of D and of H = -G, the interior on their left. The result are segments and
-    points that hold all positions of contact without overlap. Cost: O((m + n) log(m + n)) for m and
-    n edges, and linear for each segment.
+    The rings are those of D and of H = -G, oriented with the interior on the left. Returns segments
+    and points. Cost: O((m + n) log(m + n)) for m and n edges, and O(1) per segment.
     """
     shapes = split_where_touching(d), split_where_touching(h)
     one, other = map(find_cones_of, shapes)
@@ -38,18 +36,20 @@ def find_contacts(d: LatticeShape, h: LatticeShape) -> tuple[list[Edge], set[Ver
         for (p, cones), (q, others) in chain(
             product(many, other.items()), product(one.items(), more)
         )
-        if not find_common_direction(cones, [Cone(_back(c.start), _back(c.end)) for c in others])
+        if not find_common_direction(
+            cones, [Cone(_negate(c.start), _negate(c.end)) for c in others]
+        )
     }
     return segments, points
 
 
 def _list_sums(angles: _Angles, walls: LatticeShape) -> Iterator[Edge]:
-    """List the sums of vertices and edges at whose right no angle reaches."""
+    """Yield the sums of vertices and edges such that no angle reaches to the right of the edge."""
     directions = sorted((by_turn(subtract(b, a)), (a, b)) for a, b in list_edges(walls))
     turns = [turn for turn, _ in directions]
     for v, (cone, *others) in angles.items():
         if not cone.is_wide:
-            start, end = by_turn(_back(cone.end)), by_turn(cone.start)
+            start, end = by_turn(_negate(cone.end)), by_turn(cone.start)
             k, j = bisect_left(turns, start), bisect_right(turns, end)
             for _, (a, b) in directions[k:j] if start <= end else directions[k:] + directions[:j]:
                 right = [Cone(subtract(a, b), subtract(b, a))] if others else []
@@ -57,8 +57,8 @@ def _list_sums(angles: _Angles, walls: LatticeShape) -> Iterator[Edge]:
                     yield _add(v, a), _add(v, b)
 
 
-def _back(way: Vertex) -> Vertex:
-    return -way[0], -way[1]
+def _negate(p: Vertex) -> Vertex:
+    return -p[0], -p[1]
 
 
 def _add(p: Vertex, q: Vertex) -> Vertex:

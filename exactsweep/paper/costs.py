@@ -1,8 +1,8 @@
-"""The costs that the paper claims for each procedure, with counts and measurements.
+"""The claimed cost of each procedure, compared with counts and measurements.
 
-Operations and bytes are counted at small sizes, the same on every run; seconds are measured at
-larger ones, in full runs only. Each bound is tested with m and n doubled together, m alone and n
-alone: with m = n, an m² term would pass for mn.
+Operations and bytes are counted at small sizes. CPU seconds are measured at larger sizes, in full
+runs only. Each bound is tested with both sizes doubled and with only m or n doubled: with m = n,
+an m² term would pass for mn.
 """
 
 from __future__ import annotations
@@ -36,15 +36,15 @@ Procedure = Callable[[Chains], Iterable[Any]]
 
 @dataclass(frozen=True)
 class Cost:
-    """A procedure of the paper on a family, with one size or both doubled.
+    """One procedure on one family, with m, n or both doubled.
 
     Attributes:
-        letter: the same procedure as printed.
-        row: the row of the ledger with the bound.
+        letter: the procedure as printed.
+        row: the ledger row that states the bound.
         varied: "m", "n" or "mn".
-        first: the first size that is doubled, for operations and bytes; `timed` for seconds.
-        fixed: the other size.
-        limit: of operations, see `Growth`; `slack` of bytes.
+        first: the first size for operations and bytes; `timed` is the one for seconds.
+        fixed: the size that is not doubled.
+        limit: the limit on operations, see `Growth`; `slack` is the one on bytes.
     """
 
     procedure: str
@@ -61,7 +61,7 @@ class Cost:
     slack: float = LIMITS["bytes"]
 
     def sizes(self, first: int, doublings: int) -> list[tuple[int, int]]:
-        """List the (m, n) from a first size on."""
+        """List the sizes (m, n), starting at `first`."""
         doubled = [first << k for k in range(doublings + 1)]
         return [
             (x if "m" in self.varied else self.fixed, x if "n" in self.varied else self.fixed)
@@ -69,18 +69,18 @@ class Cost:
         ]
 
     def _doublings(self, effort: Effort, quick: int) -> int:
-        """Return the number of doublings; linear procedures get all sizes."""
+        """Return the number of doublings; quick runs reduce it except for linear procedures."""
         return quick if effort.quick and self.bound is not M_PLUS_N else DOUBLINGS
 
     def grow(self, unit: str, sizes: Iterable[tuple[int, int]], limit: float = 1.08) -> Growth:
-        """Count or measure the procedure over some sizes."""
+        """Count or measure the procedure at some sizes."""
         what, count = f"{unit} of {self.procedure}", count_by(unit, self.run)
         return grow(what, self.family, self.bound, sizes, count, limit)
 
     def compare(self) -> Iterator[str]:
-        """Report where the output at the three least sizes differs from Sweep_MM to the letter.
+        """Report sizes, of the first three, at which the output differs from the printed procedure.
 
-        Sweep_MM accepts pairs of any class: a convex chain is one part.
+        The printed procedure is Sweep_MM for all classes: a convex chain is one part.
         """
         for m, n in self.sizes(self.first, 2):
             chains = SweepPair(*self.family(m, n)).chains
@@ -89,7 +89,7 @@ class Cost:
                 yield f"{self.procedure} is wrong on {self.family.__name__}, ({m}, {n})"
 
     def time(self) -> Growth:
-        """Measure seconds, again if beyond the bound, since the processor may be busy."""
+        """Measure CPU seconds; repeat if they exceed the bound, in case the machine is busy."""
         sizes = self.sizes(self.timed, DOUBLINGS)
         series = self.grow("seconds", sizes)
         for _ in range(AGAIN):
@@ -98,7 +98,7 @@ class Cost:
         return series
 
     def measure(self, effort: Effort) -> Iterator[Growth]:
-        """Measure all of these; seconds in full runs only."""
+        """Yield the growth of operations and bytes, and in full runs of seconds."""
         sizes = self.sizes(self.first, self._doublings(effort, QUICK))
         yield self.grow("operations", sizes, self.limit)
         yield self.grow("bytes", self.sizes(self.first, self._doublings(effort, 2)), self.slack)
@@ -118,7 +118,7 @@ _BOTH: dict[str, tuple[Procedure, Procedure]] = {
     "Sweep_MM, outer loop": (lambda c: kernel.sweep_mm(*c)[1], kernel.find_outer),
     "Sweep_MM, inner loop": (lambda c: kernel.sweep_mm(*c)[0], kernel.find_inner),
 }
-"""Each procedure, and the same as printed."""
+"""Each procedure, and its printed form."""
 RUNS = {name: run for name, (run, _) in _BOTH.items()}
 
 
@@ -134,10 +134,10 @@ COSTS = tuple(_list_costs())
 
 
 def tabulate(growth: Iterable[Growth]) -> Table:
-    """Tabulate claimed and measured exponents, a row for each procedure, family and doubled size.
+    """Tabulate claimed and measured exponents by procedure, family and doubled size.
 
-    The last column is "within", or "beyond" if any of the series of operations, bytes and seconds
-    is beyond its bound.
+    The last column is "within" if operations, bytes and seconds all stay within the bound, else
+    "beyond".
     """
     lines: dict[tuple[str, str, str], dict[str, Growth]] = {}
     for series in growth:
@@ -156,17 +156,17 @@ def tabulate(growth: Iterable[Growth]) -> Table:
 
 
 def compare_outputs(procedure: str, effort: Effort) -> Iterator[Observation]:
-    """Compare the output of a procedure, on each family, with that of the printed procedure."""
+    """Compare the output of a procedure with that of the printed one on each family."""
     costs = [c for c in COSTS if c.procedure.partition(",")[0] == procedure]
     m, n = map(max, zip(*(size for c in costs for size in c.sizes(c.first, 2)), strict=True))
-    what = "on families, equal those of the printed procedure"
+    what = "on families, equal to those of the printed procedure"
     yield Evidence(f"Outputs up to m = {m} and n = {n}, {what}.")
     for cost in costs:
         yield from cost.compare()
 
 
 def measure_costs(row: str, effort: Effort) -> Iterator[Observation]:
-    """Count and measure everything that concerns the bounds of a row of the ledger."""
+    """Count and measure everything that the bounds in a ledger row cover."""
     without = " A quick run skips seconds and large sizes." if effort.quick else ""
     yield Evidence(f"Operations, bytes and seconds over doubling sizes, outputs compared.{without}")
     for cost in COSTS:

@@ -1,7 +1,7 @@
-"""Integers that count the operations on them, so that the kernel needs no counters.
+"""Integers that count their operations.
 
-The kernel accepts any exact rationals, so it runs unchanged on these. The counts are the same on
-every run and every machine.
+The kernel accepts any exact rationals, so it runs on these unchanged. The counts do not depend on
+the machine.
 """
 
 from __future__ import annotations
@@ -22,7 +22,7 @@ from exactsweep.paper.pairs import Chains, SweepPair
 
 @dataclass
 class OperationCount:
-    """Operations on coordinates and on numbers derived from them; slots of a CountedList."""
+    """Operations on coordinates and on derived numbers, and slots read in a CountedList."""
 
     multiplications: int = 0
     comparisons: int = 0
@@ -31,7 +31,7 @@ class OperationCount:
 
     @property
     def total(self) -> int:
-        """All together."""
+        """The sum of all counts."""
         return self.multiplications + self.comparisons + self.additions + self.slots
 
 
@@ -39,23 +39,23 @@ _tally = OperationCount()
 
 
 class Counted(int):
-    """An int whose results are counted ints again, also through Fractions.
+    """An int that counts operations and returns counted ints, even inside Fractions.
 
-    Divisions count as multiplications, subtractions as additions; changes of sign are free.
+    A division counts as a multiplication, a subtraction as an addition; negation is free.
     """
 
     __slots__ = ()
     __hash__ = int.__hash__
 
-    # Fraction uses these, so its results are counted ints, too.
+    # Fraction uses these two, so its results are counted ints as well.
     @property
     def numerator(self) -> Counted:
-        """The int itself."""
+        """The number."""
         return self
 
     @property
     def denominator(self) -> Counted:  # type: ignore[override]
-        """One."""
+        """The number one."""
         return Counted(1)
 
 
@@ -91,7 +91,7 @@ def make_counted(chain: Iterable[Vertex]) -> list[tuple[Any, Any]]:
 
 @contextmanager
 def watch_operations() -> Iterator[OperationCount]:
-    """Count from zero inside a `with` block."""
+    """Count operations in a `with` block, starting at zero."""
     global _tally
     outer, _tally = _tally, OperationCount()
     try:
@@ -101,7 +101,7 @@ def watch_operations() -> Iterator[OperationCount]:
 
 
 class CountedList(list[Any]):
-    """A list that counts the slots that are read or copied from it.
+    """A list that counts the slots read from it.
 
     >>> with watch_operations() as tally:
     ...     CountedList([1, 2, 3])[:], tally.slots
@@ -124,7 +124,7 @@ class PairFamily(Protocol):
     __name__: str
 
     def __call__(self, m: int, n: int) -> tuple[Ring, Ring]:
-        """Return the pair."""
+        """Return a pair of rings."""
 
 
 def count_chains(pair: SweepPair) -> Chains:
@@ -133,14 +133,14 @@ def count_chains(pair: SweepPair) -> Chains:
 
 
 def count_operations(run: Callable[..., Iterable[Any]], *arguments: Any) -> int:
-    """Count multiplications, comparisons and additions of counted ints, and output vertices."""
+    """Count the operations of a call and the vertices of its output."""
     with watch_operations() as tally:
         out = sum(1 for _ in run(*arguments))
     return tally.total + out
 
 
 def operations(run: Callable[[Chains], Iterable[Any]], chains: Chains) -> int:
-    """Count multiplications, comparisons and additions of coordinates, and output vertices."""
+    """Count the operations of a procedure and the vertices of its output."""
     return count_operations(run, Chains(*map(make_counted, chains)))
 
 
@@ -150,7 +150,7 @@ def vertices(run: Callable[[Chains], Iterable[Any]], chains: Chains) -> int:
 
 
 def seconds(run: Callable[[Chains], Any], chains: Chains) -> float:
-    """Measure CPU seconds, the least of three runs or of as many as take 0.2 seconds."""
+    """Measure CPU seconds: the minimum of at least three runs that take 0.2 seconds in all."""
     times: list[float] = []
     while len(times) < 3 or (sum(times) < 0.2 and len(times) < 50):
         start = process_time()
@@ -160,9 +160,9 @@ def seconds(run: Callable[[Chains], Any], chains: Chains) -> float:
 
 
 def peak(run: Callable[[Chains], Any], chains: Chains) -> float:
-    """Measure the peak of the memory that a procedure uses in addition to its input, in bytes."""
-    # A full collection empties the lists of free objects, which are not traced when reused; it
-    # need not look at what is there already.
+    """Measure the peak of memory in bytes, without the input."""
+    # A full collection empties the lists of free objects, whose reuse is not traced. Freezing
+    # excludes existing objects from it.
     gc.freeze()
     gc.collect()
     gc.unfreeze()
@@ -182,7 +182,7 @@ COUNTERS: dict[str, Callable[[Callable[[Chains], Any], Chains], float]] = {
 
 
 def count_by(unit: str, run: Callable[[Chains], Iterable[Any]]) -> Callable[[SweepPair], float]:
-    """Make a function that counts or measures a procedure on a pair, by a key of COUNTERS."""
+    """Return a function that counts or measures a procedure on a pair, in a unit of COUNTERS."""
     return lambda pair: COUNTERS[unit](run, pair.chains)
 
 
@@ -195,11 +195,11 @@ def grow(
     limit: float = 1.08,
     side: str = "upper",
 ) -> Growth:
-    """Count or measure a quantity of the pairs of a family, for comparison with a bound.
+    """Count or measure a quantity on the pairs of a family, for comparison with a bound.
 
-    A bound that depends on more than m and n is only a name; then `count` returns its value with
-    the count of a pair. Sizes (m, n) are each about twice the one before. For limit and side see
-    `Growth`.
+    For a bound that depends on more than m and n, pass its name; `count` then returns the count and
+    the value of the bound. Each of the sizes (m, n) is about twice the one before. See `Growth` for
+    `limit` and `side`.
 
     >>> from exactsweep.paper.growth import MN
     >>> def squares(m, n):

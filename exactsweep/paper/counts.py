@@ -1,4 +1,4 @@
-"""Counts over doubling sizes and their bounds, as counts.toml lists them by rows of the ledger."""
+"""Counts over doubling sizes, compared with bounds, for the rows in counts.toml."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from exactsweep.paper.toml import read_toml
 
 
 def count_all(row: str, effort: Effort) -> Iterator[Growth]:
-    """Count all that counts.toml lists for a row of the ledger."""
+    """Count everything that counts.toml lists for a row of the ledger."""
     for group in read_toml("counts.toml")["count"]:
         for series in group.pop("series") if group.pop("row") == row else ():
             read = group | series

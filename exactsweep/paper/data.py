@@ -1,7 +1,7 @@
-"""The findings of a run as data: ledger.json, tables as CSV, counterexamples as files.
+"""The findings of a run as data: ledger.json, CSV tables and counterexample files.
 
-ledger.schema.json describes ledger.json; a file of `counterexamples` has the polygons G and D by
-name, for `exactsweep sweep lemma-5-3.json#G lemma-5-3.json#D`.
+`ledger.schema.json` describes ledger.json. A counterexample file holds the polygons G and D, as in
+`exactsweep sweep lemma-5-3.json#G lemma-5-3.json#D`.
 """
 
 from __future__ import annotations
@@ -34,12 +34,12 @@ PACKAGES = ("sympy", "matplotlib", "jinja2")
 
 
 def make_slug(text: str) -> str:
-    """Make a name for a file."""
+    """Convert a name to a file name."""
     return re.sub(r"[^a-z0-9]+", "-", text.lower()).strip("-")
 
 
 def describe_environment(effort: Effort) -> dict[str, Any]:
-    """Return commit, versions, system, processor and seed of a run."""
+    """Return the commit, versions, system, processor and seed of a run."""
     return {
         "exactsweep": __version__,
         "commit": _commit(),
@@ -54,7 +54,7 @@ def describe_environment(effort: Effort) -> dict[str, Any]:
 
 
 def _commit() -> str | None:
-    """Return the commit of a checkout, with a + if there are changes; None elsewhere."""
+    """Return the commit of a checkout, with a + if it is modified; None outside a checkout."""
     command = ["git", "-C", str(Path(__file__).parent), "describe", "--always", "--dirty=+"]
     try:
         found = subprocess.run(
@@ -79,7 +79,7 @@ def _processor() -> str:
 
 
 def as_json(rows: Sequence[Finding], effort: Effort) -> dict[str, Any]:
-    """Return all findings of a run in plain types."""
+    """Return all findings of a run as JSON data."""
     return {
         "format": FORMAT,
         "version": 1,
@@ -120,7 +120,7 @@ def _growth_as_json(series: Growth) -> dict[str, Any]:
 
 
 def name_cases(name: str, found: Evidence) -> Iterator[tuple[str, Counterexample]]:
-    """List the counterexamples of a row with the names of their files."""
+    """Yield the counterexamples of a row with their file names."""
     for number, case in enumerate(found.cases, 1):
         stem = make_slug(name) + (f"-{number}" if number > 1 else "")
         yield f"counterexamples/{stem}.json", case
@@ -129,7 +129,7 @@ def name_cases(name: str, found: Evidence) -> Iterator[tuple[str, Counterexample
 def write_data(folder: Path, rows: Sequence[Finding], effort: Effort) -> Path:
     """Write ledger.json, the CSV files and the counterexamples into a folder.
 
-    Returns the path of ledger.json; raises OSError if a file cannot be written.
+    Returns the path of ledger.json; raises OSError if writing fails.
     """
     for name in ("tables", "counterexamples"):
         (folder / name).mkdir(parents=True, exist_ok=True)

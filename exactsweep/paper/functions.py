@@ -1,4 +1,4 @@
-"""Chains as functions of x, and definitions evaluated straight from the input."""
+"""Chains as functions of x, and comparisons with the definition."""
 
 from __future__ import annotations
 
@@ -27,21 +27,21 @@ P = TypeVar("P", bound=tuple[Any, Any])
 
 
 def keep_corners(chain: Iterable[Vertex]) -> list[Vertex]:
-    """Keep only the corners, so that equal chains are equal lists."""
+    """Drop collinear vertices, so that equal chains become equal lists."""
     return [(x, y) for x, y, _ in take_corners((Fraction(x), Fraction(y), 1) for x, y in chain)]
 
 
 def evaluate(chain: Sequence[Vertex], x: Fraction) -> Fraction:
-    """Evaluate a chain, from left to right, over an x at which it does not jump."""
+    """Evaluate a left-to-right chain at an x without a vertical edge."""
     k = bisect_left(chain, x, key=itemgetter(0))
     if k == len(chain) or x < chain[0][0]:
-        raise ExactSweepError(f"the chain does not reach {x}")
+        raise ExactSweepError(f"{x} is outside the range of the chain")
     (px, py), (qx, qy) = chain[k - 1], chain[k]
     return Fraction(qy) if x == qx else Fraction(py) + Fraction(qy - py) * (x - px) / (qx - px)
 
 
 def sample_between(*chains: Sequence[Vertex]) -> Iterator[Fraction]:
-    """List points inside every interval of x between vertices of some chains."""
+    """Yield a point inside each interval between consecutive vertex abscissas."""
     xs = sorted({Fraction(x) for chain in chains for x, _ in chain})
     for left, right in pairwise(xs):
         yield (5 * left + 3 * right) / 8
@@ -53,35 +53,35 @@ def reaches(chain: Sequence[Vertex], x: Fraction) -> bool:
 
 
 def list_gaps(first: Sequence[Vertex], second: Sequence[Vertex]) -> list[tuple[Fraction, Fraction]]:
-    """List each vertex's x in both ranges, and the height of the first chain above the second."""
+    """List x and first(x) - second(x) at all vertices in the common range."""
     left, right = max(first[0][0], second[0][0]), min(first[-1][0], second[-1][0])
     xs = sorted({Fraction(x) for x, _ in (*first, *second) if left <= x <= right})
     return [(x, evaluate(first, x) - evaluate(second, x)) for x in xs]
 
 
 def find_common_points(first: Sequence[Vertex], second: Sequence[Vertex]) -> list[Fraction]:
-    """Find where two chains are equally high, among the vertices' x and the ends."""
+    """List the abscissas, among vertices and ends of the range, at which two chains meet."""
     return [x for x, gap in list_gaps(first, second) if gap == 0]
 
 
 def clip(chain: Sequence[Vertex], left: Fraction, right: Fraction) -> list[Vertex]:
-    """Return the part of a chain over a closed x-range at whose ends it does not jump."""
+    """Clip a chain to a closed x-range without vertical edges at its ends."""
     inside = [(x, y) for x, y in chain if left < x < right]
     return keep_corners([(left, evaluate(chain, left)), *inside, (right, evaluate(chain, right))])
 
 
 def clip_to(chain: Sequence[Vertex], other: Sequence[Vertex]) -> list[Vertex]:
-    """Return the part of a chain over the x-range of another chain; see `clip`."""
+    """Clip a chain to the x-range of another chain."""
     return clip(chain, Fraction(other[0][0]), Fraction(other[-1][0]))
 
 
 def take_bottom(loop: Iterable[Vertex]) -> list[Vertex]:
-    """Return the bottom chain of a canonical loop, without vertical edges at the ends."""
+    """Return the bottom chain of a canonical loop, without vertical edges at its ends."""
     return keep_corners(split([(x, y) for x, y in loop])[0])
 
 
 def look_up(pair: SweepPair) -> ReferenceLoops:
-    """Return the three loops of a pair by the definition; cached for the last pairs."""
+    """Return the cached loops of a pair by the definition."""
     return _reference(tuple(pair.generatrix), tuple(pair.directrix))
 
 
@@ -95,34 +95,34 @@ def _reference(generatrix: tuple[Vertex, ...], directrix: tuple[Vertex, ...]) ->
     return reference_loops(list(generatrix), list(directrix))
 
 
-def tell_loops(s: Sweep, *names: str) -> Iterator[str]:
-    """Name the loops of a sweep, some or all, that differ from the definition."""
+def compare_loops(s: Sweep, *names: str) -> Iterator[str]:
+    """Report the loops of a sweep, all by default, that differ from the definition."""
     expected, (x, y) = _reference(s.generatrix.vertices, s.directrix.vertices), s.reference
     for name in names or expected._fields:
         found = getattr(s, name).translated((-x, -y) if name == "trajectory" else (0, 0))
         if found.vertices != getattr(expected, name):
             loop = name if name == "trajectory" else f"{name} loop"
-            yield f"the {loop} is not that of the definition"
+            yield f"the {loop} differs from the definition"
 
 
-def tell_difference(
+def describe_difference(
     name: str, found: Iterable[Vertex], expected: Iterable[Vertex], by: str = "by the definition"
 ) -> str:
-    """Report that two chains differ; empty if they do not."""
+    """Describe how two chains differ; return an empty string if they do not."""
     found, expected = keep_corners(found), keep_corners(expected)
     if found == expected:
         return ""
     return f"{name} is {write_chain(found)}, and {write_chain(expected)} {by}"
 
 
-def tell_boundaries(pair: SweepPair, **loops: Iterable[Vertex]) -> Iterator[str]:
-    """Name the boundaries of a lower sweep that differ from the definition."""
+def compare_boundaries(pair: SweepPair, **loops: Iterable[Vertex]) -> Iterator[str]:
+    """Report the boundaries of a lower sweep that differ from the definition."""
     for name, found in loops.items():
-        yield tell_difference(f"the {name} boundary", found, look_up_bottom(pair, name))
+        yield describe_difference(f"the {name} boundary", found, look_up_bottom(pair, name))
 
 
 def list_sub_chains(pair: SweepPair) -> tuple[list[list[Vertex]], list[list[Vertex]]]:
-    """List sub-trajectories and sub-outer chains of a convex G, one for each part of D_b."""
+    """Return the sub-trajectories and sub-outer chains of a convex G, one per part of D_b."""
     top, bottom, directrix = pair.chains
     parts = find_convex_parts(directrix)
     paths = [trajectory_cc(top, part) for part in parts]
@@ -136,17 +136,17 @@ def lower_undercuts(s: Sweep) -> list[Undercut]:
 
 def no_fit_is_the_definition(pair: SweepPair) -> Iterator[str]:
     """The exterior, holes and exact fits of the no-fit polygon match the definition."""
-    yield tell_unproved(no_fit_polygon(*pair[::-1]))
+    yield explain_unproved(no_fit_polygon(*pair[::-1]))
 
 
-def tell_unproved(answer: Sweep | NoFitPolygon | InnerFit) -> str:
-    """Describe why the checker does not prove an answer's certificate; empty if it does."""
+def explain_unproved(answer: Sweep | NoFitPolygon | InnerFit) -> str:
+    """Return why the certificate of an answer is not proved, or an empty string."""
     verdict = verify(answer.certificate())
     return "" if verdict.proved else f"not the definition: {verdict.reason}"
 
 
 def frame_around(shape: Polygon, part: AnyPolygon) -> Region:
-    """Build a frame around a polygon, with room for a part between the two rims."""
+    """Build a frame around a polygon that leaves room for a part on all sides."""
     room = sum(high - low for low, high in zip(*part.bounding_box, strict=True)) + 1
     (left, low), (right, high) = shape.bounding_box
     left, low, right, high = left - room, low - room, right + room, high + room

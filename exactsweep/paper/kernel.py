@@ -1,7 +1,6 @@
-"""The kernel's procedures on lists of vertices, and plain compositions of these.
+"""The paper's procedures on lists of vertices, and unoptimized combinations of them.
 
-As in the paper, G_t runs from right to left; all other chains run from left to right. The
-compositions prune no pairs of parts, and both loops are whole trajectories of I(G).
+As in the paper, G_t runs from right to left; all other chains run from left to right.
 """
 
 from __future__ import annotations
@@ -20,7 +19,7 @@ VertexList = list[Vertex]
 
 
 def reverse_top(top: Sequence[Vertex]) -> Chain:
-    """Make reversed G_t of G_t."""
+    """Return the inverse of G_t as a chain."""
     return Chain.of(inverse(top))
 
 
@@ -76,7 +75,7 @@ def sweep_mm(
 def sweep_inner_mm(
     top: Sequence[Vertex], directrix: Sequence[Vertex], trajectory: Graph
 ) -> VertexList:
-    """Run the inner loop of Sweep_MM, in the undercuts alone."""
+    """Compute the inner boundary of Sweep_MM, in the undercuts only."""
     return mm.sweep_inner_mm(reverse_top(top), Chain.of(directrix), trajectory).points
 
 
@@ -90,16 +89,16 @@ def find_convex_parts(points: Sequence[Vertex]) -> list[VertexList]:
 
 
 def require_convex(points: Sequence[Vertex]) -> VertexList:
-    """Return a convex bottom chain; raise ExactSweepError if it is not convex."""
+    """Return a bottom chain; raise ExactSweepError if it is not convex."""
     first, *others = find_convex_parts(points)
     if others:
         x, y = others[0][0]
-        raise ExactSweepError(f"the chain is not convex: it is reflex, or vertical, at ({x}, {y})")
+        raise ExactSweepError(f"the chain has a reflex vertex or a vertical edge at ({x}, {y})")
     return first
 
 
 def to_graph(points: Sequence[Vertex]) -> Graph:
-    """Make the graph of a bottom chain, as of the sum of one vertex of G and a part of D_b."""
+    """Convert a bottom chain to a graph, with contacts between one vertex of G and each of D_b."""
     made = Chain.of(points)
     contacts: list[VertexContact] = [(v, k, 0) for k, v in enumerate(made.vertices)]
     pieces: list[Piece] = [
@@ -117,24 +116,24 @@ def list_sub_trajectories(chains: Chains) -> list[Graph]:
 
 
 def merge_sub_trajectories(chains: Chains) -> Graph:
-    """Run Trajectory_MM to the letter: all calls of Trajectory_CM, and LowerEnvelope_MM."""
+    """Run Trajectory_MM as printed: all calls of Trajectory_CM, then LowerEnvelope_MM."""
     return graph.lower_envelope_mm(list_sub_trajectories(chains))
 
 
 def find_trajectory(chains: Chains) -> VertexList:
-    """Find the trajectory of a pair of any class: the lowest of all sums of two convex parts."""
+    """Compute the trajectory for any class: the lower envelope of sums of two convex parts."""
     parts = find_convex_parts(inverse(chains.top)), find_convex_parts(chains.directrix)
     sums = [trajectory_cc(inverse(one), other) for one, other in product(*parts)]
     return list(graph.lower_envelope_mm(list(map(to_graph, sums))))
 
 
 def find_outer(chains: Chains) -> VertexList:
-    """Find the outer boundary of a pair of any class, as Sweep_MM does."""
+    """Compute the outer boundary for any class, as Sweep_MM does."""
     return find_trajectory(Chains(inverse(chains.bottom), [], find_trajectory(chains)))
 
 
 def find_inner(chains: Chains) -> VertexList:
-    """Find the inner boundary likewise; it reaches beyond D_b on both sides."""
+    """Compute the inner boundary for any class; it extends beyond D_b at both ends."""
     return slide_inside(inverse(chains.top), find_trajectory(chains), find_trajectory)
 
 
@@ -143,9 +142,9 @@ def slide_inside(
     container: Sequence[Vertex],
     trajectory: Callable[[Chains], Iterable[Vertex]],
 ) -> VertexList:
-    """Find the lowest path of a shape inside a bottom chain, its own bottom chain touching it.
+    """Compute the lowest path of a shape that slides along the inside of a bottom chain.
 
-    After a half turn it slides along the complement of the chain, which is a bottom chain.
+    After a half turn, the shape slides along the complement, which is again a bottom chain.
     """
     turned = chain.complement(inverse(container))
     path = trajectory(Chains(inverse(bottom), [], turned))

@@ -1,4 +1,4 @@
-"""Laws tried on random pairs, and reduction of pairs that break one."""
+"""Tests of laws on random pairs, and reduction of counterexamples."""
 
 from __future__ import annotations
 
@@ -19,11 +19,11 @@ KINDS_OF_PAIRS = {
     "resting": " with an edge of G on teeth",
 }
 Law = Callable[[SweepPair], Iterable[str]]
-"""A function that yields how a pair breaks the law; empty texts, or none, mean that it holds."""
+"""A function that yields how a pair breaks the law; empty strings are ignored."""
 
 
 def break_law(law: Law, pairs: Iterable[SweepPair]) -> str:
-    """Describe a reduced pair that breaks a law; empty if no pair does.
+    """Describe a reduced pair that breaks a law; return an empty string if none does.
 
     >>> law = lambda pair: ["" if len(pair.directrix) < 4 else "four corners"]
     >>> triangle = [(0, 0), (1, 0), (0, 1)]
@@ -32,14 +32,14 @@ def break_law(law: Law, pairs: Iterable[SweepPair]) -> str:
     """
     for pair in pairs:
         if find_wrong(law, pair):
-            # Removing the vertices of a large pair one by one would take minutes.
+            # For a large pair, removing vertices one by one would take minutes.
             least = shrink(law, pair) if sum(map(len, pair)) < MANY else pair
             return f"{find_wrong(law, least)}; G = {least.generatrix}, D = {least.directrix}"
     return ""
 
 
 def find_wrong(law: Law, pair: SweepPair) -> str:
-    """Check a law on a pair; an exception counts as a failure."""
+    """Test a law on a pair; an exception is a failure."""
     try:
         return find_first_failure(law(pair))
     except Exception as error:
@@ -47,7 +47,7 @@ def find_wrong(law: Law, pair: SweepPair) -> str:
 
 
 def shrink(law: Law, pair: SweepPair) -> SweepPair:
-    """Remove vertices and halve coordinates while the law stays broken."""
+    """Remove vertices and halve coordinates while the law still fails."""
     while smaller := next((p for p in _smaller(pair) if find_wrong(law, p)), None):
         pair = smaller
     return pair
@@ -80,14 +80,14 @@ def _smaller_rings(ring: Ring) -> Iterator[Ring]:
 
 
 def try_laws(laws: Iterable[tuple[Law, str]], effort: Effort) -> Evidence:
-    """Try laws on random pairs of several classes, up to the first failure.
+    """Test laws on random pairs up to the first failure.
 
-    All laws of a run get the same pairs, whose loops by the definition are cached.
+    All laws of a run get the same pairs, so that their loops by the definition can be cached.
 
     Args:
-        laws: each with the pairs of each class, as in "100 CC, 60 MM weak, 4 MM large". Its
-            docstring's first line states the law.
-        effort: the seed, and the number of trials.
+        laws: each law with its pairs, as in "100 CC, 60 MM weak, 4 MM large". The first line of its
+            docstring states the law.
+        effort: the seed and the number of trials.
     """
     tried: dict[str, list[str]] = {}
     sampled, failure = [], ""

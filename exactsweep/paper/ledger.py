@@ -1,8 +1,4 @@
-"""All rows of the ledger, in the order of the paper, and look-up by name.
-
-ledger.toml has the statements of the paper. The functions that check them are in `checks` and
-`figures`, and are loaded when they run.
-"""
+"""The rows of the ledger, in the order of the paper, and look-up by name."""
 
 from __future__ import annotations
 
@@ -28,7 +24,7 @@ CHECKS, FIGURES = "exactsweep.paper.checks", "exactsweep.paper.figures"
 
 
 class UnknownClaimError(ExactSweepError):
-    """A name that no row of the ledger has."""
+    """The error for a name that is not in the ledger."""
 
 
 def examine(row: Mapping[str, Any], effort: Effort) -> Iterator[Observation]:
@@ -70,7 +66,7 @@ def _load() -> dict[str, Any]:
 
 
 def read_rows() -> list[dict[str, Any]]:
-    """Read the tables of the rows."""
+    """Return the rows as plain dictionaries."""
     rows: list[dict[str, Any]] = _load()["claim"]
     return rows
 
@@ -79,17 +75,17 @@ ABSTRACT = _join(_load()["abstract"])
 """A summary of the errata."""
 
 KINDS, WEIGHTS = _load()["kinds"], _load()["weights"]
-"""The meaning of each kind of evidence; errata by weight, from 1 on."""
+"""The meaning of each kind of evidence, and of each weight of an erratum."""
 
 OPEN = tuple((question["name"], _join(question["words"])) for question in _load()["open"])
-"""Open questions: name and text of each."""
+"""The name and text of each open question."""
 
 CLAIMS: tuple[Claim, ...] = tuple(map(_read, read_rows()))
 _BY_NAME = {claim.name: claim for claim in CLAIMS}
 
 
 def find(name: str) -> Claim:
-    """Return the claim of a name, in any case; UnknownClaimError suggests similar names.
+    """Look up a claim by name, ignoring case; an UnknownClaimError suggests similar names.
 
     >>> find("lemma 5.3").name
     'Lemma 5.3'
@@ -104,5 +100,5 @@ def find(name: str) -> Claim:
     close = [known for known in names if wanted and wanted in known]
     close += [known for known in get_close_matches(wanted, names, 1) if known not in close]
     meant = " or ".join(f"'{names[known]}'" for known in close[:3])
-    hint = f"did you mean {meant}?" if meant else "'--list' shows them all"
+    hint = f"did you mean {meant}?" if meant else "--list shows all names"
     raise UnknownClaimError(f"no claim {quote(name)}; {hint}")

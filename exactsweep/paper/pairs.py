@@ -1,10 +1,9 @@
-"""Seeded random pairs for the checks: small integer grids, where features meet often.
+"""Seeded random pairs for the checks, on small integer grids, where features often coincide.
 
-"CC", "CM" and "MM" are the paper's classes, one letter for each polygon; "S" is one of any shape,
-usually monotone in no direction. Strict polygons have no vertical edge, as the paper assumes; weak
-ones have vertical edges, at the ends and inside their chains. Large ones make the kernel prune;
-far ones have coordinates of 30 digits; in resting ones a long edge of G lies on several teeth,
-pointed or flat.
+"CC", "CM" and "MM" are the paper's classes. The letter "S" stands for a polygon of any shape,
+which is rarely monotone. Some pairs have a kind: "weak" polygons have vertical edges, at the ends
+and inside chains; "large" ones make the kernel prune; "far" ones have coordinates of 30 digits; in
+"resting" pairs, a long edge of G lies on several teeth of D.
 """
 
 from __future__ import annotations
@@ -24,7 +23,7 @@ from exactsweep.procedures.chain import split
 
 
 class Chains(NamedTuple):
-    """The chains of a lower sweep (G_t, D_b), and G_b; top chains run from right to left."""
+    """The chains of a lower sweep; `top` runs from right to left."""
 
     top: list[Vertex]
     bottom: list[Vertex]
@@ -32,7 +31,7 @@ class Chains(NamedTuple):
 
 
 class SweepPair(NamedTuple):
-    """A generatrix and a directrix, X-monotone except those of class "S"."""
+    """A generatrix and a directrix, X-monotone unless their class is "S"."""
 
     generatrix: Ring
     directrix: Ring
@@ -45,12 +44,12 @@ class SweepPair(NamedTuple):
 
 
 def read_pair(rings: Iterable[Iterable[Sequence[int]]]) -> SweepPair:
-    """Make a pair from two lists of vertices in a file."""
+    """Convert two lists of vertices to a pair."""
     return SweepPair(*([(x, y) for x, y in ring] for ring in rings))
 
 
 def draw_pair(random: Prng, kind: str, *, strict: bool = True) -> SweepPair:
-    """Draw a pair of a class, sometimes on one scale, sometimes on two."""
+    """Draw a pair of a class; D may be scaled up."""
     generatrix, directrix = (_draw_ring(random, letter, strict=strict) for letter in kind)
     factor = random.choice([1, 1, 2, 7])
     return SweepPair(
@@ -59,7 +58,7 @@ def draw_pair(random: Prng, kind: str, *, strict: bool = True) -> SweepPair:
 
 
 def _draw_ring(random: Prng, letter: str, *, strict: bool) -> Ring:
-    """Draw a convex ring, a monotone one, or one of any shape; strict rings lack vertical edges."""
+    """Draw a ring of a class; strict rings have no vertical edges."""
     if letter == "S":
         return _draw_any(random)
     if letter == "C":
@@ -73,7 +72,7 @@ def _draw_ring(random: Prng, letter: str, *, strict: bool) -> Ring:
 
 
 def _draw_any(random: Prng) -> Ring:
-    """Draw a simple closed path through random points."""
+    """Draw a simple polygon through random points."""
     side = random.choice([4, 6, 9])
     while True:
         points = range(random.between(4, 9))
@@ -96,16 +95,16 @@ LARGE: dict[str, tuple[Callable[..., tuple[Ring, Ring]], ...]] = {
 
 
 def draw_large(random: Prng, kind: str) -> SweepPair:
-    """Draw a pair of some dozens of vertices from a growing family of its class."""
+    """Draw a pair with dozens of vertices from a family of its class."""
     family = random.choice(LARGE[kind])
     m, n = (4 * random.between(6, 16) for _ in "mn")
     return SweepPair(*family(m, n, random.between(0, 10**6)))
 
 
 def draw_pairs(effort: Effort, kind: str, count: int, how: str = "") -> Iterator[SweepPair]:
-    """Draw pairs of a kind; they depend only on the seed of the run, their class and number.
+    """Draw pairs that depend only on the seed, the class and their number.
 
-    `kind` has G's and D's letter; `how` is "weak", "large", "far", "resting" or empty.
+    `kind` is the class, and `how` is "weak", "large", "far", "resting" or empty.
     """
     for number in range(count):
         random = effort.random(f"{kind} {how} {number}")
@@ -120,7 +119,7 @@ def draw_pairs(effort: Effort, kind: str, count: int, how: str = "") -> Iterator
 
 
 def draw_resting(random: Prng) -> SweepPair:
-    """Draw a CM pair in which an edge of G rests on teeth, sheared so that the edge has a slope."""
+    """Draw a CM pair in which a sloped edge of G rests on teeth of D."""
     slope, depth, teeth = random.between(-2, 2), random.between(1, 2), random.between(2, 3)
     bottom, x = [(0, 2)], 1
     for _ in range(teeth):

@@ -1,4 +1,4 @@
-"""Piecewise linear functions of one variable, and the minimum of their sums."""
+"""Piecewise linear functions of one variable, and their min-plus convolution."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ class LinearPiece(NamedTuple):
     y1: Rational
 
     def at(self, x: Rational) -> Rational:
-        """Return the value at x, or the limit if x is an end."""
+        """Return the value at x, or the limit at an end."""
         if x == self.x0 or self.y0 == self.y1:
             return self.y0
         if x == self.x1:
@@ -30,14 +30,13 @@ class LinearPiece(NamedTuple):
         return self.y0 + divide((self.y1 - self.y0) * (x - self.x0), self.x1 - self.x0)
 
 
-# A function of x: pieces from left to right, each beginning where the last one ends. Two limits
-# that differ at a common end are a vertical edge; a value at one x alone is never represented,
-# because the loops bound regular closed sets.
+# A function of x: adjacent pieces from left to right. Different limits at a common end form a
+# vertical edge. Isolated values cannot occur, because loops bound regular closed sets.
 PiecewiseLinear = tuple[LinearPiece, ...]
 
 
 class _ScaledLine(NamedTuple):
-    """All (x, slope * x + constant), in a unit of length for y that makes both ints."""
+    """The line y = slope * x + constant, with y in a unit that makes both ints."""
 
     slope: int
     constant: int
@@ -47,24 +46,23 @@ class _ScaledLine(NamedTuple):
 
 
 def mirror(function: Iterable[LinearPiece]) -> PiecewiseLinear:
-    """Return the negative of a function."""
+    """Negate a function."""
     return tuple(LinearPiece(x0, -y0, x1, -y1) for x0, y0, x1, y1 in function)
 
 
 def list_ends(function: Iterable[LinearPiece]) -> set[tuple[Rational, Rational]]:
-    """List the breakpoints with their limits: one if continuous, two at a jump."""
+    """Return the breakpoints with their limits: one if continuous, two at a jump."""
     return {end for x0, y0, x1, y1 in function for end in ((x0, y0), (x1, y1))}
 
 
-def take_least_sum(
+def min_plus_convolution(
     f: PiecewiseLinear, g: PiecewiseLinear, within: tuple[Rational, Rational] | None = None
 ) -> PiecewiseLinear:
     """Compute the function x -> min over u of f(u) + g(x - u), everywhere or between two cuts.
 
-    For x strictly between two consecutive sums of breakpoints, no breakpoint of f meets one of g,
-    so the minimum is attained at a breakpoint of one inside a piece of the other, in the limit from
-    one side: it is the lower envelope of g's pieces moved by f's breakpoints, and of f's moved by
-    g's. The units of length are chosen so that breakpoints, slopes and values are ints.
+    Between two consecutive sums of breakpoints, a breakpoint of one function attains the minimum
+    inside a piece of the other, as a one-sided limit. So the result is the lower envelope of g's
+    pieces moved by f's breakpoints, and of f's pieces moved by g's breakpoints.
     """
     unit = lcm(*(c.denominator for function in (f, g) for piece in function for c in piece))
     scaled = [[[int(c * unit) for c in piece] for piece in function] for function in (f, g)]
@@ -79,8 +77,8 @@ def take_least_sum(
                 line = _ScaledLine(slope, (y0 + y) * fine - slope * (x0 + x))
                 starting[x0 + x].add((line, x1 + x))
                 cuts.update((x0 + x, x1 + x))
-    over: set[tuple[_ScaledLine, int]] = set()  # the pieces over the interval, and where they end
-    found: list[tuple[_ScaledLine, Rational]] = []  # each line with where it becomes the lowest
+    over: set[tuple[_ScaledLine, int]] = set()  # pieces over the interval, with their right ends
+    found: list[tuple[_ScaledLine, Rational]] = []  # lowest lines, with their left ends
     last: Rational = 0
     for left, right in pairwise(sorted(cuts)):
         over = {entry for entry in over if entry[1] > left} | starting[left]
@@ -104,11 +102,11 @@ def take_least_sum(
 def _lower_envelope(
     left: int, right: int, lines: Iterable[_ScaledLine]
 ) -> Iterator[tuple[_ScaledLine, Rational]]:
-    """Find the lowest of some lines over an interval, each with its left end there."""
+    """Yield the lower envelope of some lines over an interval, as lines with their left ends."""
     _, _, line = min((line.at(left), line.slope, line) for line in lines)
     yield line, left
-    # Invariant: `line` is lowest just right of its start, so it is first left by a
-    # line that ends lower, at the first crossing; of several there by the steepest one.
+    # Invariant: `line` is lowest just right of its left end. The first crossing with a line that
+    # is lower at the right end comes next; among several there, the steepest descent wins.
     end = line.at(right)
     while lower := [rival for rival in lines if rival.at(right) < end]:
         x, _, line = min(

@@ -1,7 +1,4 @@
-"""Plots of counts relative to the claimed bounds, with matplotlib.
-
-Seven series differ in color and in marker, and the next seven in dashes, too.
-"""
+"""Plots of counts divided by the claimed bounds, drawn with matplotlib."""
 
 from __future__ import annotations
 
@@ -28,7 +25,7 @@ def available() -> bool:
 
 
 def ratios(growth: Sequence[Growth]) -> bytes:
-    """Plot counts divided by their bounds over the sizes as SVG, one line for each series."""
+    """Plot ratios of counts and bounds by size as SVG, with one line per series."""
     from matplotlib.figure import Figure
     from matplotlib.style import context
     from matplotlib.ticker import NullFormatter, NullLocator

@@ -1,4 +1,4 @@
-"""The report of a run: one HTML file that needs no other, and Markdown."""
+"""The report of a run, as one self-contained HTML file and as Markdown."""
 
 from __future__ import annotations
 
@@ -32,14 +32,14 @@ from exactsweep.text.template import make_environment
 
 MINUS = "\N{MINUS SIGN}"
 GROWTH = ("what", "family", "m", "n", "divided by", "ratio", "exponent", "of the bound", "found")
-"""The columns of `growth_row`."""
+"""The column headings for `growth_row`."""
 
 
 def write(folder: Path, rows: Sequence[Finding], effort: Effort) -> tuple[Path, Path, Path]:
     """Write report.html, report.md with its pictures, and ledger.json into a folder.
 
-    With the same seed, effort and versions the files are identical, except for measurements.
-    Returns the three paths; raises OSError if the folder cannot be written to.
+    With the same seed, effort and versions, only measurements differ between runs. Returns the
+    three paths; raises OSError if writing fails.
     """
     folder.mkdir(parents=True, exist_ok=True)
     drawn = _plots(rows)
@@ -60,7 +60,7 @@ def render(
     drawn: dict[str, bytes],
     figures: dict[str, bytes],
 ) -> str:
-    """Fill one of the templates, "report.html" or "report.md"."""
+    """Render the template "report.html" or "report.md"."""
     shown = [{key: b64encode(svg).decode() for key, svg in d.items()} for d in (drawn, figures)]
     template = _environment(html=name.endswith("html")).get_template(f"{name}.j2")
     text = template.render(
@@ -80,7 +80,7 @@ def title_section(section: str) -> str:
 
 
 def count_verdicts(rows: Sequence[Finding]) -> str:
-    """Count the rows by verdict, and the failures, and report the total time."""
+    """Summarize the verdicts, the failures and the total time in one line."""
     verdicts = Counter(row.claim.verdict for row in rows)
     counts = ", ".join(f"{verdicts[v]} {v.value}" for v in ClaimVerdict if verdicts[v])
     failing = [row.claim.name for row in rows if row.disagreement]
@@ -89,7 +89,7 @@ def count_verdicts(rows: Sequence[Finding]) -> str:
 
 
 def render_row(row: Finding) -> str:
-    """Write one row in Markdown, as the terminal shows it."""
+    """Render one row as Markdown, for the terminal."""
     template = _environment(html=False).from_string(
         '{% from "row.md.j2" import show %}{{ show(row, {}, {}) }}'
     )
@@ -120,14 +120,14 @@ def _environment(*, html: bool) -> Environment:
 
 
 def set_formula(text: str) -> Markup:
-    """Return text as HTML, with indices, signs and the Greek letter set as in mathematics.
+    """Convert formulas to HTML: subscripts, minus and inequality signs, and alpha.
 
     >>> print(set_formula("m_b < n_t, T(u) <= -G_P - 1"))
     m<sub>b</sub> &lt; n<sub>t</sub>, T(u) ≤ −G<sub>P</sub> − 1
     >>> print(set_formula("T_(i-1) >= -1, D_1, Trajectory_CC, non-convex"))
     T<sub>i−1</sub> ≥ −1, D<sub>1</sub>, Trajectory_CC, non-convex
     """  # noqa: RUF002
-    # A minus sign is next to a number, a single letter or a parenthesis, a hyphen inside a word.
+    # A minus sign precedes a digit, a single letter or a parenthesis; other signs are hyphens.
     sign = r"(?<![\w)])-(?=[\d(]|[A-Za-z](?:_|\b))|(?<=[\w)]) - (?=[\w(])"
     signed = re.sub(sign, lambda m: m[0].replace("-", MINUS), text)
     signed = signed.replace("<=", "≤").replace(">=", "≥")
@@ -141,12 +141,12 @@ def set_formula(text: str) -> Markup:
 
 
 def cell(text: object) -> str:
-    """Write the text of a cell of a table in Markdown."""
+    """Escape the text of a Markdown table cell."""
     return str(text).replace("|", "\\|")
 
 
 def split_proof(text: str) -> tuple[str, list[str]]:
-    """Split a proof into the text before step (1) and its steps without their numbers.
+    """Split a proof into its introduction and its numbered steps.
 
     >>> split_proof("Let x = 1. (1) Then x > 0, by f(2). (2) So x > -1.")
     ('Let x = 1.', ['Then x > 0, by f(2).', 'So x > -1.'])
@@ -163,7 +163,7 @@ def split_proof(text: str) -> tuple[str, list[str]]:
 
 
 def find_alignments(rows: Sequence[Sequence[str]]) -> list[str]:
-    """Return the HTML class of each column of a table: "number" if it has only numbers."""
+    """Return the HTML class of each column: "number" if all cells are numbers, else "text"."""
     return [
         "number" if all(re.fullmatch(r"-?[0-9.,/]+", cell) for cell in column) else "text"
         for column in zip(*rows, strict=True)
@@ -171,7 +171,7 @@ def find_alignments(rows: Sequence[Sequence[str]]) -> list[str]:
 
 
 def growth_row(series: Growth) -> list[str]:
-    """Write a series in one line: sizes, the first and the last ratio, and exponents."""
+    """Return the cells of a table row: sizes, first and last ratio, exponents, verdict."""
     ends = series.points[0], series.points[-1]
     ranges = [[str(p.m) for p in ends], [str(p.n) for p in ends], [f"{p.ratio:.3g}" for p in ends]]
     m, n, ratio = (" to ".join(dict.fromkeys(values)) for values in ranges)
@@ -180,7 +180,7 @@ def growth_row(series: Growth) -> list[str]:
 
 
 def miss(sampled: int) -> str:
-    """State what a sample detects: with n pairs, a fault of 3 in n pairs, with probability 95%.
+    """State what a sample of n pairs detects with probability 95%: a fault of 3 in n pairs.
 
     >>> miss(300)
     '300 pairs per law: a fault of more than one pair in 100 is missed with a probability below 5%.'
@@ -196,18 +196,18 @@ def miss(sampled: int) -> str:
 
 
 def name_plot(name: str) -> str:
-    """Name the file of a row's plot, without its suffix."""
+    """Return the file name of a row's plot, without suffix."""
     return f"growth-{make_slug(name)}"
 
 
 def draw_case(case: Counterexample) -> Markup:
-    """Draw the pair of a counterexample by `pair_svg`, which writes only numbers."""
+    """Draw the pair of a counterexample; the SVG contains only numbers, so it is safe."""
     pair = SweepPair(list(case.generatrix), list(case.directrix))
     return Markup(pair_svg(pair) if case.generatrix else "")
 
 
 def write_citation(folder: Path) -> list[Path]:
-    """Write CITATION.cff, and references.bib for the paper and related works; may raise OSError."""
+    """Write CITATION.cff and references.bib into a folder; raises OSError if that fails."""
     folder.mkdir(parents=True, exist_ok=True)
     paths = []
     for name in ("CITATION.cff", "references.bib"):
@@ -218,7 +218,7 @@ def write_citation(folder: Path) -> list[Path]:
 
 
 def cite(key: str) -> str:
-    """Return a work of references.bib in one line.
+    """Format an entry of references.bib on one line.
 
     >>> cite("oks2006minkowski")
     'Oks and Sharir 2006, Minkowski sums of monotone and general simple polygons, \
@@ -234,12 +234,12 @@ doi:10.1007/s00454-005-1206-y'
 
 
 def read_bibtex() -> str:
-    """Read the BibTeX entries alone."""
+    """Return the text of references.bib."""
     return files("exactsweep.paper").joinpath("references.bib").read_text(encoding="utf-8")
 
 
 def pair_svg(pair: SweepPair) -> str:
-    """Draw D, G at one end of its path, and the path of its origin as SVG, with a caption."""
+    """Draw D, the trajectory T, and G at one of its vertices as SVG, with a caption."""
     g, d = map(Polygon, pair)
     path = sweep(g, d).trajectory
     shapes = (
@@ -254,10 +254,10 @@ def pair_svg(pair: SweepPair) -> str:
 
 
 def write_figures(folder: Path, rows: Sequence[Finding]) -> dict[str, bytes]:
-    """Draw the figures among some rows into a folder, as figure-1.svg and figure-1.pdf.
+    """Draw the figures into a folder, as figure-1.svg and figure-1.pdf, if matplotlib is installed.
 
-    A figure whose evidence fails is not drawn, nor is any without matplotlib. Returns the SVG of
-    each drawn figure by the name of its row; raises OSError if a file cannot be written.
+    Figures whose evidence fails are skipped. Returns the SVG of each figure by row name; raises
+    OSError if writing fails.
     """
     if not plots.available():
         return {}
@@ -269,7 +269,7 @@ def write_figures(folder: Path, rows: Sequence[Finding]) -> dict[str, bytes]:
             name, stem = row.claim.figure, make_slug(row.claim.name)
             picture = draw_figure(name, load(name))
             save(picture, str(folder / f"{stem}.pdf"))
-            # Letters are outlines, so that the file needs no font.
+            # Draw letters as outlines, so that the file needs no font.
             with style.use_style(), rc_context({"svg.fonttype": "path"}):
                 svg = folder / f"{stem}.svg"
                 picture.savefig(svg, metadata={"Date": None}, bbox_inches="tight")

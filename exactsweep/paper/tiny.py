@@ -1,7 +1,6 @@
-"""All strictly X-monotone polygons on a tiny grid, and the first pair that refutes a statement.
+"""Exhaustive search among strictly X-monotone polygons on a tiny grid.
 
-Pairs are sorted by number of vertices, then by the sizes of their bounding boxes, so the first one
-that fails is a smallest counterexample on that grid.
+Pairs are sorted by number of vertices, then by size, so the first counterexample is a smallest one.
 """
 
 from __future__ import annotations
@@ -23,7 +22,7 @@ from exactsweep.procedures.chain import split
 
 @cache
 def list_polygons(side: int, vertices: int) -> tuple[tuple[tuple[int, int], ...], ...]:
-    """List all strictly X-monotone polygons with k corners on a grid, moved to (0, 0)."""
+    """List all strictly X-monotone polygons with k corners on a grid, moved to the axes."""
     found = set()
     for chosen in combinations(sorted(product(range(side + 1), repeat=2)), vertices):
         first, *others, last = chosen
@@ -51,11 +50,11 @@ SHAPES: dict[str, Callable[[Ring], bool]] = {
     "convex": lambda ring: Polygon(ring).is_convex,
     "bent": lambda ring: not Polygon(ring).is_convex,
 }
-"""The polygons that a search tries for G or for D."""
+"""The shapes that a search may require of G or D."""
 
 
 def list_tiny_pairs(side: int, most: int, generatrix: str, directrix: str) -> Iterator[SweepPair]:
-    """List all pairs on a grid up to a number of vertices, smallest first."""
+    """Yield all pairs on a grid, smallest first, up to a total number of vertices."""
     for total in range(6, most + 1):
         pairs = []
         for n in range(3, total - 2):
@@ -77,7 +76,7 @@ def search_grid(
     directrix: str,
     fails: Law,
 ) -> Evidence:
-    """Look for the first pair on a grid, with coordinates 0 to `side`, for which a statement fails.
+    """Search a grid with coordinates from 0 to `side` for the first counterexample.
 
     `most` is the maximum number of vertices of both polygons together; `generatrix` and `directrix`
     are keys of SHAPES; `fails` yields the faults of a pair.
@@ -93,17 +92,19 @@ def search_grid(
 
 
 def search(pairs: Iterable[SweepPair], fails: Law, where: str) -> Evidence:
-    """Look for the first pair for which a statement fails; `where` names the pairs."""
+    """Search pairs for the first counterexample; `where` describes the pairs."""
     number = 0
     for number, pair in enumerate(pairs, 1):
         if text := find_first_failure(fails(pair)):
             how = f"the first of all pairs {where}, smallest first"
-            tried = f"The first {number:,} pairs {where}."
+            tried = (
+                f"The first {number:,} pairs {where}." if number > 1 else f"The first pair {where}."
+            )
             return Evidence(tried, "", (Counterexample(text, how, *pair),), searched=number)
     return Evidence(f"All {number:,} pairs {where}.", searched=number)
 
 
 def expect_none(convex: Evidence) -> Evidence:
-    """Turn a counterexample of a search among convex polygons into a failure."""
+    """Treat a counterexample among convex polygons as a failure."""
     failures = (f"two convex polygons: {case.text}" for case in convex.cases)
     return replace(convex, failure=find_first_failure(failures), cases=())

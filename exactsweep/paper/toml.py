@@ -1,4 +1,4 @@
-"""The data of the checks, figures and reports, next to the modules that use them."""
+"""Access to the TOML files of this package."""
 
 from __future__ import annotations
 
@@ -8,5 +8,5 @@ from typing import Any
 
 
 def read_toml(path: str) -> dict[str, Any]:
-    """Read a file of this package, such as "checks/containers.toml"."""
+    """Read a file, with a path such as "checks/containers.toml"."""
     return tomllib.loads(files("exactsweep.paper").joinpath(path).read_text(encoding="utf-8"))

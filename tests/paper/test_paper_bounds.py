@@ -121,7 +121,7 @@ def test_undercuts_may_be_as_many_and_as_long_as_stated(monkeypatch: pytest.Monk
 
     assert found(2) == []
     assert found(3) == ["an undercut with 3 edges"]
-    assert found(2, 2) == ["2 undercuts of 2 convex parts"]
+    assert found(2, 2) == ["2 undercuts for 2 convex parts"]
 
 
 @pytest.mark.parametrize(("loop", "most"), [("trajectory", 7), ("inner", 4), ("outer", 10)])
@@ -134,7 +134,7 @@ def test_loops_of_convex_polygons_may_be_as_large_as_stated(
         loops = dict.fromkeys(("trajectory", "inner", "outer"), Polygon(TRIANGLE))
         loops[loop] = Polygon(bow(size - 1))
         monkeypatch.setattr(section3, "sweep", lambda *pair: SimpleNamespace(**loops))
-        monkeypatch.setattr(section3, "tell_loops", lambda s: [])
+        monkeypatch.setattr(section3, "compare_loops", lambda s: [])
         return list(section3.loops_are_small(SweepPair(TRIANGLE, square)))
 
     assert found(most) == []
@@ -166,7 +166,7 @@ def test_chains_may_part_once_only() -> None:
     assert appendix.meetings(down, level) == ("", True)
     assert appendix.meetings([(0, 1), (8, 1)], level) == ("", False)
     assert appendix.meetings([(0, 0), (4, 2), (8, 0)], level)[0] == (
-        "the chains meet over 0 and 8, and separate in between"
+        "the chains meet at 0 and 8, and separate in between"
     )
     assert appendix.meetings(down, down)[0] == "the chains share a bend between 0 and 8"
 
@@ -190,9 +190,9 @@ def test_a_written_chain_is_compared_with_mn(monkeypatch: pytest.MonkeyPatch) ->
     monkeypatch.setattr(section5_time, "count_all", plant)
     evidence, *_, found = section5_time.count_gaps(Effort(quick=True))
     assert isinstance(evidence, Evidence)
-    assert "80 in place of 80 at m = n = 8." in evidence.tried
+    assert "80 instead of 80 at m = n = 8." in evidence.tried
     assert isinstance(found, Counterexample)
-    assert found.text == "160 vertices to be written for m = 16 and n = 24, mn being 384"
+    assert found.text == "the output has 160 vertices for m = 16 and n = 24, mn being 384"
 
 
 def test_counts_are_compared_with_their_bounds() -> None:

@@ -78,7 +78,10 @@ def test_a_broken_law_and_a_position_of_overlap_are_failures() -> None:
     wrong = right._replace(
         laws=[("edges", 15, 16)], sweeps=[(s, [Point(Fraction(6), Fraction(6))])]
     )
-    assert list(wrong.find_failures()) == ["at (6, 6) G is OVERLAP", "edges: 15, not 16"]
+    assert list(wrong.find_failures()) == [
+        "at (6, 6) the verdict on G is OVERLAP",
+        "edges: 15, not 16",
+    ]
 
 
 def calls_made() -> set[tuple[str, str]]:

@@ -154,7 +154,7 @@ def test_chains_are_evaluated_and_cut() -> None:
     assert find_common_points([(0, 0), (2, 2), (4, 0)], [(1, 0), (2, 2), (6, 1)]) == [2]
     assert find_common_points([(0, 0), (2, 2)], [(3, 0), (4, 2)]) == []
     assert [reaches([(0, 0), (2, 2)], Fraction(x)) for x in range(3)] == [False, True, False]
-    with pytest.raises(ValueError, match="does not reach 5"):
+    with pytest.raises(ValueError, match="5 is outside the range"):
         evaluate(chain, Fraction(5))
 
 
@@ -192,7 +192,7 @@ def test_a_position_is_covered_by_the_segments_through_it(
         ([(0, 1), (4, 2)], "", False),
         ([(0, 1), (4, -1)], "", True),
         ([(0, 1), (1, 0), (3, 0), (4, 1)], "", True),
-        ([(0, 1), (2, -1), (4, 1)], "the chains meet over 1 and 3, and separate in between", True),
+        ([(0, 1), (2, -1), (4, 1)], "the chains meet at 1 and 3, and separate in between", True),
     ],
 )
 def test_chains_meet_in_one_point_or_segment(other: list[Vertex], fault: str, met: bool) -> None:

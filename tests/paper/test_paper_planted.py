@@ -12,7 +12,7 @@ from exactsweep import Point, Polygon, sweep
 from exactsweep.evidence.contact import Contact
 from exactsweep.evidence.steps import Touch
 from exactsweep.paper.checks import appendix, beyond, section1, section2, section4
-from exactsweep.paper.functions import tell_loops
+from exactsweep.paper.functions import compare_loops
 from exactsweep.paper.pairs import SweepPair
 
 SQUARES = SweepPair([(0, 0), (1, 0), (1, 1), (0, 1)], [(0, 0), (3, 0), (3, 3), (0, 3)])
@@ -27,9 +27,9 @@ def test_a_loop_that_is_not_that_of_the_definition_is_reported() -> None:
     s = sweep([(0, 0), (1, 0), (0, 1)], [(0, 0), (3, 0), (3, 3), (0, 3)])
     names = "generatrix", "directrix", "reference", "trajectory", "outer"
     wrong = _copy(s, *names, inner=s.outer)
-    assert [*tell_loops(s)] == [*tell_loops(wrong, "trajectory", "outer")] == []
+    assert [*compare_loops(s)] == [*compare_loops(wrong, "trajectory", "outer")] == []
     for asked in ((), ("inner",), ("outer", "inner")):
-        assert [*tell_loops(wrong, *asked)] == ["the inner loop is not that of the definition"]
+        assert [*compare_loops(wrong, *asked)] == ["the inner loop differs from the definition"]
 
 
 def test_a_fit_that_is_cut_short_is_reported(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -46,7 +46,7 @@ def test_a_fit_that_is_cut_short_is_reported(monkeypatch: pytest.MonkeyPatch) ->
     x, y = middle
     assert found[0] == []
     assert [re.sub(r"at \(1, .*\)", "there", text) for text in found[1]] == [
-        "there, along an exact fit, CONTACT"
+        "there along an exact fit: CONTACT"
     ]
     assert found[2] == [f"the exact fit from ({x}, {y}) does not start on the trajectory"]
 
@@ -63,13 +63,13 @@ def test_a_slide_that_is_cut_short_is_reported(monkeypatch: pytest.MonkeyPatch) 
     for ends, is_whole in (((p, q), True), ((p, middle), False), ((middle, q), False)):
         wrong.undercuts = slide._replace(positions=ends), other
         reported = [text.partition(":")[0] for text in section4.bottom_chains_have_two_forms(pair)]
-        assert reported == ([] if is_whole else ["not there"])
+        assert reported == ([] if is_whole else ["not at both ends of the segment alone"])
     # A bottom chain on another line, or on two edges, is not one edge.
     first, last = slide.bottom
     for bottom in ((first, slide.polygon.vertices[1]), (first, last, other.bottom[1])):
         wrong.undercuts = slide._replace(bottom=bottom), other
         reported = [text.partition(":")[0] for text in section4.bottom_chains_have_two_forms(pair)]
-        assert reported[:1] == ["not one edge"]
+        assert reported[:1] == ["not a single parallel edge"]
 
 
 @pytest.mark.parametrize(("i", "k", "chain"), [(1, 2, "bottom"), (2, 1, "bottom"), (4, 5, "top")])
@@ -105,8 +105,8 @@ def test_a_sweep_that_starts_elsewhere_is_reported(
     moved = SimpleNamespace(trajectory=sweep(*SQUARES).trajectory.translated((2, 7)))
     monkeypatch.setattr(section2, "sweep", lambda *_: moved)
     assert [*section2.starts_and_stops_at_the_ends(SQUARES)] == [
-        "it starts at (1, 6), with (1, 1) not on D's end",
-        "it stops at (5, 6), with (0, 1) not on D's end",
+        "the sweep starts at (1, 6), with (1, 1) off D's end",
+        "the sweep stops at (5, 6), with (0, 1) off D's end",
     ]
 
 
@@ -129,7 +129,7 @@ def test_a_contact_that_moves_left_is_reported(monkeypatch: pytest.MonkeyPatch) 
     assert not [*appendix.contact_moves_right(SQUARES)]
     places = count(9, -1)
     monkeypatch.setattr(
-        appendix, "places_of_contact", lambda *_: [x := next(places), x + Fraction(1, 2)]
+        appendix, "find_contact_extent", lambda *_: [x := next(places), x + Fraction(1, 2)]
     )
     first, *_ = appendix.contact_moves_right(SQUARES)
     assert re.sub(r"at \(.*?\)", "there", first) == (

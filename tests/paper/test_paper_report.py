@@ -144,7 +144,7 @@ def test_one_row_is_shown_in_full() -> None:
     assert result.exit_code == 0
     assert result.output.startswith("### Lemma 5.3: reproduced with a condition\n\n")
     assert "1 rows: " not in result.output
-    assert "*Counterexample:* Trajectory_MM along the inside of T goes from" in result.output
+    assert "*Counterexample:* Trajectory_MM along the inside of T extends from" in result.output
 
 
 def test_rows_that_are_named_are_reported_if_asked_for(tmp_path: Path) -> None:

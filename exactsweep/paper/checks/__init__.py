@@ -1,1 +1,1 @@
-"""The checks of the ledger, section by section."""
+"""The checks of the ledger, by section of the paper."""

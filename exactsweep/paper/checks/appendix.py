@@ -24,6 +24,7 @@ from exactsweep.paper.claim import Effort, Evidence, Observation
 from exactsweep.paper.counting import CountedList, count_chains, watch_operations
 from exactsweep.paper.functions import (
     clip,
+    describe_difference,
     evaluate,
     find_common_points,
     list_edges,
@@ -31,7 +32,6 @@ from exactsweep.paper.functions import (
     list_sub_chains,
     look_up_bottom,
     reaches,
-    tell_difference,
 )
 from exactsweep.paper.kernel import find_convex_parts, to_graph, trajectory_cc
 from exactsweep.paper.pairs import SweepPair
@@ -39,7 +39,7 @@ from exactsweep.paper.tiny import search_grid
 from exactsweep.procedures.chain import split
 from exactsweep.procedures.graph import Graph, lower_envelope_cm
 
-# A random pair, reduced.
+# Reduced from a random pair.
 AT_A_WALL = SweepPair([(0, 0), (1, 0), (1, 1)], [(0, 4), (1, 1), (1, 0), (3, 5)])
 
 
@@ -57,11 +57,11 @@ def one_edge_at_a_time(pair: SweepPair) -> Iterator[str]:
         for t in list_moments(s, step.start, step.end):
             now = [touch.contact for touch in step.touches if lasts(t, touch.start, touch.end)]
             if not are_of_one_edge(now):
-                yield f"from ({step.start.x}, {step.start.y}) on at the same time: {_name(now)}"
+                yield f"after ({step.start.x}, {step.start.y}), simultaneous: {_name(now)}"
 
 
 def are_of_one_edge(contacts: Sequence[Contact]) -> bool:
-    """Decide whether there is at most one contact, or all are EV or EE of one edge of G."""
+    """Decide whether all contacts, if several, are EV or EE contacts of the same edge of G."""
     events, edges = {c.event for c in contacts}, {c.generatrix for c in contacts}
     return len(contacts) < 2 or (len(edges) == 1 and "VE" not in events)
 
@@ -71,7 +71,7 @@ def _name(contacts: Sequence[Contact]) -> str:
 
 
 def find_passing_events(effort: Effort) -> Iterator[Observation]:
-    """Look for simultaneous events that do not last, and for parallel edges of a convex G."""
+    """Search for simultaneous events that do not last, and for parallel edges of a convex G."""
 
     def stuck(pair: SweepPair) -> Iterator[str]:
         s = sweep(*pair)
@@ -84,9 +84,9 @@ def find_passing_events(effort: Effort) -> Iterator[Observation]:
     yield replace(found, cases=())
     both = found.cases, search_grid(2, 7, "convex", "convex", _parallel_edges).cases
     for case, parallel in zip(*both, strict=False):
-        yield case._replace(text=f"{case.text}; besides, {parallel.text}")
+        yield case._replace(text=f"{case.text}; also, {parallel.text}")
     if not all(both):
-        yield "no events in passing, or no parallel edges of a convex G"
+        yield "no passing events, or no parallel edges of a convex G"
 
 
 def _parallel_edges(pair: SweepPair) -> Iterator[str]:
@@ -95,10 +95,10 @@ def _parallel_edges(pair: SweepPair) -> Iterator[str]:
         yield f"the convex polygon {ring} has parallel edges"
 
 
-def places_of_contact(s: Sweep, t: Point, chain: Sequence[Vertex]) -> list[Fraction]:
-    """Return the first and the last x of a vertex at which G + t touches D_b.
+def find_contact_extent(s: Sweep, t: Point, chain: Sequence[Vertex]) -> list[Fraction]:
+    """Return the abscissas of the first and the last contact of G + t with D_b.
 
-    G_t and D_b are compared as functions of x, without the procedures.
+    Compares G_t and D_b as functions of x, without the procedures.
     """
     top = [(x + t.x, y + t.y) for x, y in reversed(split(s.generatrix.vertices)[1])]
     return find_common_points(top, chain)
@@ -110,10 +110,10 @@ def contact_moves_right(pair: SweepPair) -> Iterator[str]:
     yield from contacts_are_right(s)
     positions: set[Point] = set()
     for step in list_lower_steps(s):
-        # Also between all changes of contact.
+        # Include positions between changes of contact.
         positions |= {step.start, step.end, *list_moments(s, step.start, step.end)}
     vertices = {x for x, _ in directrix}
-    found = [(t, places_of_contact(s, t, directrix)) for t in sorted(positions)]
+    found = [(t, find_contact_extent(s, t, directrix)) for t in sorted(positions)]
     for (_, before), (t, now) in pairwise(found):
         if now[0] < before[0] or now[-1] < before[-1]:
             yield (
@@ -122,23 +122,23 @@ def contact_moves_right(pair: SweepPair) -> Iterator[str]:
             )
         passed = {x for x in now if before[0] <= x <= before[-1]}.difference(before)
         for x in passed & vertices:
-            yield f"at ({t.x}, {t.y}) D_b is touched at x = {x}, which it had skipped"
+            yield f"at ({t.x}, {t.y}) D_b is touched at the skipped vertex x = {x}"
 
 
 def find_contact_moving_left(effort: Effort) -> Iterator[Observation]:
-    """Show that the statement needs a convex G."""
+    """Show that the statement fails for a non-convex G."""
     found = search_grid(2, 8, "bent", "any", contact_moves_right)
     yield replace(found, cases=())
-    yield "" if found.cases else "no non-convex G is a counterexample"
+    yield "" if found.cases else "no counterexample with a non-convex G"
     for case in found.cases:
         g, d = case.generatrix, case.directrix
         yield Evidence(f"For the non-convex G = {g} and D = {d} it fails.")
 
 
 def meetings(first: Sequence[Vertex], second: Sequence[Vertex]) -> tuple[str, bool]:
-    """Describe how two chains meet over their common x-range; empty for a point or one segment.
+    """Describe how two chains meet, unless it is in at most one point or segment.
 
-    Also returns whether they meet at all.
+    Also returns whether they meet.
     """
     gaps = list_gaps(first, second)
     zeros = [x for x, gap in gaps if gap == 0]
@@ -153,7 +153,7 @@ def meetings(first: Sequence[Vertex], second: Sequence[Vertex]) -> tuple[str, bo
     if start == end:
         return "", True
     if any(gap != 0 for x, gap in gaps if start <= x <= end):
-        return f"the chains meet over {start} and {end}, and separate in between", True
+        return f"the chains meet at {start} and {end}, and separate in between", True
     if len(clip(first, start, end)) > 2:
         return f"the chains share a bend between {start} and {end}", True
     return "", True
@@ -166,16 +166,16 @@ def partial_meets_once(pair: SweepPair, *, outer: bool, strict: bool) -> Iterato
     for chain in chains:
         if strict:
             failure, met = meetings(list(partial), chain)
-            yield failure or ("" if met else "the partial trajectory and the next do not meet")
+            yield failure or ("" if met else "the partial and the next trajectory do not meet")
         else:
             yield from crosses_once(list(partial), chain)
         partial = lower_envelope_cm(partial, to_graph(chain))
     expected = look_up_bottom(pair, "outer" if outer else "trajectory")
-    yield tell_difference("the last envelope", partial, expected)
+    yield describe_difference("the last envelope", partial, expected)
 
 
 def crosses_once(first: Sequence[Vertex], second: Sequence[Vertex]) -> Iterator[str]:
-    """With jumps: the difference of the first and the second never changes from + to -."""
+    """The difference of two chains, which may have jumps, never changes from + to -."""
     xs = sorted({Fraction(x) for x, _ in (*first, *second)})
     above = False
     for left, right in pairwise(xs):
@@ -183,7 +183,7 @@ def crosses_once(first: Sequence[Vertex], second: Sequence[Vertex]) -> Iterator[
             if reaches(first, x) and reaches(second, x):
                 gap = evaluate(first, x) - evaluate(second, x)
                 if above and gap < 0:
-                    yield f"the partial trajectory is above the next one, and over {x} below it"
+                    yield f"the partial trajectory is above the next one, then below it over {x}"
                 above = above or gap > 0
 
 
@@ -208,13 +208,13 @@ def sub_outer_chains_cross_once(pair: SweepPair) -> Iterator[str]:
 
 
 def note_chains_apart(effort: Effort) -> Iterator[Observation]:
-    """Show a vertical edge at which neither two sub-trajectories nor two sub-outer chains meet."""
+    """Show a vertical edge that separates two sub-trajectories, and two sub-outer chains."""
     for chains in list_sub_chains(AT_A_WALL):
         if all(meetings(*neighbours)[1] for neighbours in pairwise(chains)):
             yield "all chains meet despite a vertical edge"
     yield Evidence(
         f"For G = {AT_A_WALL.generatrix} and D = {AT_A_WALL.directrix}, which has a vertical "
-        "edge, two chains do not meet."
+        "edge, two consecutive chains do not meet."
     )
 
 
@@ -223,16 +223,16 @@ def lower_envelope_cm_is_right(pair: SweepPair) -> Iterator[str]:
     chains, _ = list_sub_chains(pair)
     partial = reduce(lower_envelope_cm, map(to_graph, chains))
     yield lowest("sub-trajectory", chains, list(partial))
-    yield tell_difference("the lower envelope", partial, look_up_bottom(pair, "trajectory"))
+    yield describe_difference("the lower envelope", partial, look_up_bottom(pair, "trajectory"))
 
 
 def watch_slots(partial: Graph) -> Graph:
-    """Return the same envelope with lists that count slots; the conversion reads each slot once."""
+    """Copy an envelope to lists that count slots; the copy itself counts each slot."""
     return Graph(CountedList(CountedList(partial.breaks)), CountedList(partial.pieces))
 
 
 def envelope(pair: SweepPair) -> tuple[int, float]:
-    """Count the operations of LowerEnvelope_CM, including slots read of the partial trajectory."""
+    """Count the operations of LowerEnvelope_CM, including slots read in the partial trajectory."""
     top, _, directrix = count_chains(pair)
     with watch_operations() as tally:
         pieces = [to_graph(trajectory_cc(top, part)) for part in find_convex_parts(directrix)]
@@ -240,6 +240,6 @@ def envelope(pair: SweepPair) -> tuple[int, float]:
         partial, before = watch_slots(pieces[0]), tally.total
         for piece in pieces[1:]:
             grown = lower_envelope_cm(partial, piece)
-            # Lists that are not trimmed in place are copies.
+            # If the lists are not trimmed in place, they are copies.
             partial = grown if grown.breaks is partial.breaks else watch_slots(grown)
     return tally.total - before, 2 * handed_in - len(partial.pieces)

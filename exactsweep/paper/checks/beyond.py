@@ -19,11 +19,11 @@ from exactsweep.paper.checks.section2 import CAVE, swept_area_is_the_definition
 from exactsweep.paper.claim import Effort, Evidence, Observation
 from exactsweep.paper.contact_segments import find_contacts
 from exactsweep.paper.functions import (
+    explain_unproved,
     frame_around,
     list_edges,
     no_fit_is_the_definition,
     show_fits,
-    tell_unproved,
 )
 from exactsweep.paper.pairs import SweepPair, read_pair
 from exactsweep.paper.toml import read_toml
@@ -47,7 +47,7 @@ def loops_are_simple(pair: SweepPair) -> Iterator[str]:
 
 
 def boundary_is_contact(pair: SweepPair) -> Iterator[str]:
-    """Loops and exact fits lie on contact segments, of which there are 2 m n at most."""
+    """Loops and exact fits lie on contact segments; there are at most 2mn contact segments."""
     found = no_fit_polygon(*pair[::-1])
     known, _ = find_contacts((tuple(pair.directrix),), (tuple(inverse(pair.generatrix)),))
     if len(known) > 2 * len(pair.generatrix) * len(pair.directrix):
@@ -62,7 +62,7 @@ def boundary_is_contact(pair: SweepPair) -> Iterator[str]:
 
 
 def covers(known: Iterable[Segment], edge: Edge) -> bool:
-    """Decide whether segments of its line cover an edge; a point must lie on one of them."""
+    """Decide whether segments cover an edge, which may be a point."""
     if edge[0] == edge[1]:
         spots = ((s, lay_point(edge[0], s.direction)) for s in known)
         return any(s[:2] == spot[:2] and s.low <= spot.low <= s.high for s, spot in spots)
@@ -71,14 +71,14 @@ def covers(known: Iterable[Segment], edge: Edge) -> bool:
 
 
 def fits_have_no_room(pair: SweepPair) -> Iterator[str]:
-    """Along an exact fit G touches D; every step to a side, or from a point, overlaps D."""
+    """Along an exact fit G touches D; at every position next to it, G overlaps D."""
     for p, q in no_fit_polygon(*pair[::-1]).exact_fits:
         t = Point(p.x + SHARE * (q.x - p.x), p.y + SHARE * (q.y - p.y))
         steps = _AROUND if p == q else [(p.y - q.y, q.x - p.x), (q.y - p.y, p.x - q.x)]
         near = [(t.x + STEP * x, t.y + STEP * y) for x, y in steps]
         at, *around = (classify(*pair[::-1], place).verdict for place in (t, *near))
         if (at, {*around}) != ("CONTACT", {"OVERLAP"}):
-            yield f"at ({t.x}, {t.y}), along an exact fit, {at}, and next to it {set(around)}"
+            yield f"at ({t.x}, {t.y}) on an exact fit: {at}; next to it: {set(around)}"
     yield from no_fit_is_the_definition(pair)
 
 
@@ -93,41 +93,41 @@ def monotone_fits_are_segments(pair: SweepPair) -> Iterator[str]:
 
 
 def find_held_position(effort: Effort) -> Iterator[Observation]:
-    """Show a single free position from which every move overlaps."""
+    """Show an isolated free position, from which every move leads to an overlap."""
     fits = no_fit_polygon(*HELD[::-1]).exact_fits
-    yield Evidence(f"A square in a cave of its own shape: {show_fits(fits)}.")
+    yield Evidence(f"A square in a cave of the same size: {show_fits(fits)}.")
     yield from fits_have_no_room(HELD)
     if [p == q for p, q in fits] != [True]:
-        yield f"a square in a cave of its own shape: exact fits {show_fits(fits)}"
+        yield f"a square in a cave of the same size: exact fits {show_fits(fits)}"
 
 
 def inner_fit_is_the_definition(pair: SweepPair) -> Iterator[str]:
-    """The inner fit has the regions, their holes and the exact fits of the definition."""
+    """The inner fit has the regions, holes and exact fits of the definition."""
     yield from compare_inner_fits(_enlarge(pair.directrix), pair.generatrix)
 
 
 def compare_inner_fits(container: Region | Ring, part: Ring) -> Iterator[str]:
     """Describe how an inner fit differs from the definition."""
-    yield tell_unproved(inner_fit_polygon(container, part))
+    yield explain_unproved(inner_fit_polygon(container, part))
 
 
 def inner_fit_is_in_a_frame(pair: SweepPair) -> Iterator[str]:
-    """The inner fit is the inside of the no-fit polygon of a frame around the container."""
+    """The inner fit consists of the holes of the no-fit polygon of a frame around the container."""
     container, part = Polygon(_enlarge(pair.directrix)), Polygon(pair.generatrix)
     frame = frame_around(container, part)
     around = no_fit_polygon(frame, part)
     found = inner_fit_polygon(container, part)
     if around.holes != tuple(region.exterior for region in found.regions):
-        yield "the holes of the frame's no-fit polygon are not the regions of the inner fit"
+        yield "the frame's no-fit polygon and the inner fit differ in their regions"
 
     def is_inside(t: Point) -> bool:
-        """Decide whether the part is inside the frame, not around one of its corners."""
+        """Decide whether the part is inside the frame."""
         boxes = frame.bounding_box, part.translated(t).bounding_box
         (left, low), (right, high), (a, b), (c, d) = chain(*boxes)
         return left < a and low < b and c < right and d < high
 
     if tuple(fit for fit in around.exact_fits if is_inside(fit[0])) != found.exact_fits:
-        yield "the exact fits inside the frame are not those of the container"
+        yield "the frame's no-fit polygon and the inner fit differ in their exact fits"
 
 
 def _enlarge(ring: Ring) -> Ring:
@@ -136,7 +136,7 @@ def _enlarge(ring: Ring) -> Ring:
 
 def find_touching_loops(effort: Effort) -> Iterator[Observation]:
     """Show touching regions, touching loops of a region, defects and an exact fit."""
-    yield Evidence("And 5 cases made by hand.")
+    yield Evidence("Also 5 hand-made cases.")
     for case in CONTAINERS:
         container, part = Region(case["exterior"], case["defects"]), case["part"]
         found = inner_fit_polygon(container, part)
@@ -151,18 +151,20 @@ def find_touching_loops(effort: Effort) -> Iterator[Observation]:
 
 
 def find_room(effort: Effort) -> Iterator[Observation]:
-    """Show a cave with free positions of G."""
-    yield Evidence("And a cave with room.")
+    """Show a cave that G can move in."""
+    yield Evidence("Also a cave that G can move in.")
     yield from loops_are_simple(ROOM)
     if len(holes := no_fit_polygon(*ROOM[::-1]).holes) != 1:
         yield f"{len(holes)} holes"
 
 
 def find_unswept(effort: Effort) -> Iterator[Observation]:
-    """Show the cave of Theorem 2.2, with an unswept hole, and two of them back to back."""
+    """Show the cave of Theorem 2.2, with one unswept hole, and two such caves back to back."""
     corners = CAVE.directrix
     twice = [*corners[:1], *((x, -y) for x, y in corners[:1:-1]), *corners[1:]]
-    yield Evidence("And the cave of Theorem 2.2, with one more loop, and two of these, with two.")
+    yield Evidence(
+        "Also the cave of Theorem 2.2, with one more loop, and two such caves, with two."
+    )
     for number, pair in enumerate((CAVE, CAVE._replace(directrix=twice)), 1):
         yield from swept_area_is_the_definition(pair)
         if len(loops := sweep(*pair).unswept) != number:

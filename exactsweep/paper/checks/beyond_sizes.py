@@ -10,7 +10,7 @@ from exactsweep.paper import kernel
 from exactsweep.paper.claim import Counterexample, Effort, Evidence, Observation
 from exactsweep.paper.counting import count_chains, count_operations, grow, make_counted
 from exactsweep.paper.counts import count_all
-from exactsweep.paper.functions import no_fit_is_the_definition, tell_difference
+from exactsweep.paper.functions import describe_difference, no_fit_is_the_definition
 from exactsweep.paper.growth import BOUNDS
 from exactsweep.paper.pairs import Chains, SweepPair
 from exactsweep.procedures.chain import inverse
@@ -24,7 +24,7 @@ def holes(pair: SweepPair) -> int:
 
 def count_holes(effort: Effort) -> Iterator[Observation]:
     """Count the holes of no-fit polygons of forks, and compare a small one with the definition."""
-    yield Evidence("A family of forks, one of them compared with the definition.")
+    yield Evidence("A family of forks; a small pair is compared with the definition.")
     yield from no_fit_is_the_definition(SweepPair(*forks(18, 18)))
     sizes = [(6 + 12 * k, 6 + 12 * k) for k in range(1, 3 if effort.quick else 4)]
     bound = BOUNDS["(m - 6)²(n - 6)²"]
@@ -33,25 +33,25 @@ def count_holes(effort: Effort) -> Iterator[Observation]:
         yield series
         for p in series.points:
             if p.count < ((p.m // 6 - 1) * (p.n // 6 - 1) - 1) ** 2:
-                yield f"{p.count} holes for ({p.m}, {p.n}) are fewer than proved"
+                yield f"{p.count} holes for ({p.m}, {p.n}), fewer than proved"
 
 
 def segments(pair: SweepPair) -> int:
-    """Count the contact segments, joined along each line."""
+    """Count the contact segments after joining them along each line."""
     return len(find_contact_segments([pair.directrix], [inverse(pair.generatrix)]))
 
 
 def count_contact_segments(effort: Effort) -> Iterator[Observation]:
-    """Compare the number of contact segments with its maximum."""
-    yield Evidence("Counts.")
+    """Compare the number of contact segments with its bound."""
+    yield Evidence("Contact segments are counted.")
     for series in count_all("Contact segments", effort):
         yield series
         if (most := max(point.ratio for point in series.points)) > 1:
-            yield f"{most:.2g} times 2mn"
+            yield f"the number is {most:.2g} times 2mn"
 
 
 def edges(pair: SweepPair) -> int:
-    """Count the edges of the exterior."""
+    """Count the edges of the exterior of the no-fit polygon."""
     return len(no_fit_polygon(*pair[::-1]).exterior)
 
 
@@ -63,7 +63,7 @@ def convolution(pair: SweepPair) -> int:
 
 
 def sum_by_parts(pair: SweepPair) -> int:
-    """Count the operations of the sum of the trajectory and G by convex parts, without pruning."""
+    """Count the operations of summing the trajectory and G by convex parts, without pruning."""
     chains = count_chains(pair)
     path = make_counted(kernel.find_trajectory(pair.chains))
     return count_operations(kernel.merge_sub_trajectories, Chains(inverse(chains.bottom), [], path))
@@ -75,16 +75,16 @@ def sweep_by_parts(pair: SweepPair) -> int:
 
 
 def count_convolution(effort: Effort) -> Iterator[Observation]:
-    """Count the operations of two Minkowski sum algorithms for G and the trajectory."""
-    yield Evidence("Counts.")
+    """Count the operations of two Minkowski sum algorithms for the trajectory and G."""
+    yield Evidence("Operations and contact segments are counted.")
     summed, swept, *_ = growth = list(count_all("Minkowski sum algorithms", effort))
     yield from growth
     chains = SweepPair(*cm_hard(32, 32)).chains
     found, expected = kernel.find_outer(chains), kernel.sweep_outer_cm(*chains)
-    yield tell_difference("the sum of T and G", found, expected)
+    yield describe_difference("the sum of T and G", found, expected)
     last, other = summed.points[-1], swept.points[-1]
     yield Counterexample(
-        f"the sum of T and G by convex parts takes {last.count:,} operations for m = n = {last.m}, "
-        f"and SweepO_CM {other.count:,}: both {summed.verdict} with mn",
+        f"for m = n = {last.m}, summing T and G by convex parts takes {last.count:,} operations, "
+        f"SweepO_CM {other.count:,}: both {summed.verdict} with mn",
         "deep teeth, at the largest counted size",
     )

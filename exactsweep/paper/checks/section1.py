@@ -1,4 +1,4 @@
-"""Section 1: the definitions of a sweep, of the area and of the path, and remarks on them."""
+"""Section 1: definitions of the sweep, the swept area and the path, and remarks on them."""
 
 from __future__ import annotations
 
@@ -13,23 +13,23 @@ from exactsweep.corpus.generator.prng import Prng
 from exactsweep.numbers.number import Vertex
 from exactsweep.paper.claim import Counterexample, Effort, Evidence, Observation, find_first_failure
 from exactsweep.paper.functions import (
+    compare_loops,
+    describe_difference,
     frame_around,
     no_fit_is_the_definition,
     take_bottom,
-    tell_difference,
-    tell_loops,
 )
 from exactsweep.paper.laws import break_law, shrink
 from exactsweep.paper.pairs import SweepPair
-from exactsweep.paper.piecewise import LinearPiece, PiecewiseLinear, mirror, take_least_sum
+from exactsweep.paper.piecewise import LinearPiece, PiecewiseLinear, min_plus_convolution, mirror
 from exactsweep.paper.tiny import search_grid
 
-# Where on an edge to test, rarely at the end of a contact; and how far to step off the edge.
+# The tested point of an edge, which is rarely an end of a contact, and the step off the edge.
 SHARE, STEP = Fraction(5, 17), Fraction(1, 10**9)
 
 
 def edge_positions(s: Sweep) -> Iterator[tuple[Point, Point, Point]]:
-    """Yield, for each edge of the trajectory, a position on it, one inside and one outside."""
+    """For each edge of the trajectory, yield a position on it, one inside T and one outside."""
     corners = s.trajectory.vertices
     for (ax, ay), (bx, by) in zip(corners, corners[1:] + corners[:1], strict=True):
         x, y = ax + SHARE * (bx - ax), ay + SHARE * (by - ay)
@@ -42,22 +42,22 @@ def touches_without_overlap(pair: SweepPair) -> Iterator[str]:
     s = sweep(*pair)
     for vertex in s.trajectory.vertices:
         if classify(s.directrix, s.generatrix, vertex).verdict != "CONTACT":
-            yield f"at ({vertex.x}, {vertex.y}), a vertex of the trajectory, no contact"
+            yield f"no contact at ({vertex.x}, {vertex.y}), a vertex of the trajectory"
     for positions in edge_positions(s):
         found = [classify(s.directrix, s.generatrix, t).verdict for t in positions]
         if found != ["CONTACT", "OVERLAP", "FREE"]:
             t = positions[0]
-            yield f"at ({t.x}, {t.y}), inside and outside of it: {', '.join(found)}"
+            yield f"at ({t.x}, {t.y}), just inside and just outside: {', '.join(found)}"
 
 
 def find_exact_fit(effort: Effort) -> Iterator[Observation]:
-    """Look for a position of contact off the trajectory."""
+    """Search for a contact position off the trajectory."""
 
     def fits(pair: SweepPair) -> Iterator[str]:
         for (ax, ay), (bx, by) in sweep(*pair).exact_fits[:1]:
             middle = (ax + bx) / 2, (ay + by) / 2
             if classify(pair.directrix, pair.generatrix, middle).verdict == "CONTACT":
-                yield f"({middle[0]}, {middle[1]}) is a position of contact, off the trajectory"
+                yield f"({middle[0]}, {middle[1]}) is a contact position off the trajectory"
 
     slot = SweepPair(
         [(0, 0), (1, 0), (1, 1), (0, 1)],
@@ -74,7 +74,7 @@ def find_exact_fit(effort: Effort) -> Iterator[Observation]:
 
 
 def draw_slots(random: Prng) -> SweepPair:
-    """Draw a box, and a plate with slots in both sides, as wide as the box, wider or narrower."""
+    """Draw a box, and a plate with slots in both sides, some as wide as the box."""
     wide, bottom, top = random.between(1, 3), [(0, 0)], [(0, 40)]
     for side, sign in ((bottom, 1), (top, -1)):
         for _ in range(random.between(1, 4)):
@@ -88,7 +88,7 @@ def draw_slots(random: Prng) -> SweepPair:
 
 
 def fits_are_whole(pair: SweepPair) -> Iterator[str]:
-    """Along an exact fit G touches D; beyond its far end G overlaps D."""
+    """Along an exact fit G touches D; beyond its inner end G overlaps D."""
     s = sweep(*pair)
     for start, end in s.exact_fits:
         if point_in_polygon(start, s.trajectory) != 0:
@@ -98,14 +98,13 @@ def fits_are_whole(pair: SweepPair) -> Iterator[str]:
             t = Point(start.x + share * by[0], start.y + share * by[1])
             found = classify(s.directrix, s.generatrix, t).verdict
             if found != expected and not (found == "CONTACT" and start == end):
-                yield f"at ({t.x}, {t.y}), along an exact fit, {found}"
+                yield f"at ({t.x}, {t.y}) along an exact fit: {found}"
 
 
 def swept_by_contact(s: Sweep, p: Point) -> bool:
-    """Decide whether some position on the trajectory puts G over a point, by `classify` alone.
+    """Decide by `classify` alone whether G covers a point from some position on the trajectory.
 
-    That holds if the inverse of G, placed at the point, meets the trajectory: it lies neither
-    outside of it nor wholly inside.
+    That is the case if the inverse of G, placed at the point, meets the trajectory.
     """
     inverse, path = s.generatrix.reflected(), s.trajectory
     shapes = path, frame_around(path, inverse)
@@ -113,9 +112,9 @@ def swept_by_contact(s: Sweep, p: Point) -> bool:
 
 
 def area_is_covered(pair: SweepPair) -> Iterator[str]:
-    """Of 36 points, G covers from the trajectory exactly those between the loops."""
+    """Of 36 points, the ones that G covers from the trajectory are those between the loops."""
     s = sweep(*pair)
-    yield from tell_loops(s, "inner", "outer")
+    yield from compare_loops(s, "inner", "outer")
     if s.area != s.outer.area - s.inner.area:
         yield "the area is not that between the loops"
     (left, low), (right, high) = s.outer.bounding_box
@@ -127,8 +126,8 @@ def area_is_covered(pair: SweepPair) -> Iterator[str]:
 
 
 def path_is_the_definition(pair: SweepPair) -> Iterator[str]:
-    """The trajectory is that of the definition."""
-    yield from tell_loops(sweep(*pair), "trajectory")
+    """The trajectory matches the definition."""
+    yield from compare_loops(sweep(*pair), "trajectory")
 
 
 def paths_are_translates(pair: SweepPair) -> Iterator[str]:
@@ -140,7 +139,7 @@ def paths_are_translates(pair: SweepPair) -> Iterator[str]:
 
 
 def find_overlap_along_directrix(effort: Effort) -> Iterator[Observation]:
-    """Look for a G that overlaps D although one of its vertices is on D's boundary."""
+    """Search for a G that overlaps D while one of its vertices is on D's boundary."""
 
     def overlaps(pair: SweepPair) -> Iterator[str]:
         reference_point = pair.generatrix[0]
@@ -151,7 +150,7 @@ def find_overlap_along_directrix(effort: Effort) -> Iterator[Observation]:
 
     found = search_grid(2, 6, "convex", "convex", overlaps)
     yield replace(found, cases=())
-    yield "" if found.cases else "none of them overlap"
+    yield "" if found.cases else "no such overlap"
     for text, _, g, d in found.cases:
         yield Evidence(f"For G = {g} and D = {d}: {text}.")
         yield from touches_without_overlap(SweepPair([*g], [*d]))
@@ -170,11 +169,11 @@ def sum_is_the_swept_area(pair: SweepPair) -> Iterator[str]:
     s, (top, bottom, directrix) = sweep(*pair), pair.chains
     path, low, high = map(_read_function, (take_bottom(s.trajectory.vertices), bottom, top[::-1]))
     ends = directrix[0][0], directrix[-1][0]
-    outer = take_least_sum(path, low)
-    inner = mirror(take_least_sum(mirror(path), mirror(high), ends))
+    outer = min_plus_convolution(path, low)
+    inner = mirror(min_plus_convolution(mirror(path), mirror(high), ends))
     for name, loop, pieces in (("outer", s.outer, outer), ("inner", s.inner, inner)):
         chain = [*(piece[:2] for piece in pieces), pieces[-1][2:]]
-        yield tell_difference(f"the {name} loop", take_bottom(loop.vertices), chain, "as a sum")
+        yield describe_difference(f"the {name} loop", take_bottom(loop.vertices), chain, "as a sum")
 
 
 def _read_function(chain: Sequence[Vertex]) -> PiecewiseLinear:

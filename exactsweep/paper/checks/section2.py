@@ -17,14 +17,14 @@ from exactsweep.geometry.region import AnyPolygon
 from exactsweep.paper.checks.touching import contacts_are_right, touches_are_right
 from exactsweep.paper.claim import Counterexample, Effort, Evidence, Observation, Table
 from exactsweep.paper.functions import (
+    compare_boundaries,
+    compare_loops,
+    explain_unproved,
     find_common_points,
     list_edges,
     look_up,
     reaches,
     take_bottom,
-    tell_boundaries,
-    tell_loops,
-    tell_unproved,
 )
 from exactsweep.paper.pairs import SweepPair, draw_pairs, list_corners
 from exactsweep.paper.tiny import expect_none, search, search_grid
@@ -39,7 +39,7 @@ CAVE = SweepPair([(0, 0), (2, 0), (1, 1)], [(0, 0), (9, 0), (6, 4), (8, 1), (1, 
 
 
 def like_chains_stay_apart(pair: SweepPair) -> Iterator[str]:
-    """Along the trajectory, the two top chains are disjoint, and so are the bottom chains."""
+    """Along the trajectory, the two top chains are disjoint, and so are the two bottom chains."""
     (g_bottom, g_top), (d_bottom, d_top) = map(split, pair)
     for (px, py), (qx, qy) in list_edges(look_up(pair).trajectory):
         for tx, ty in ((px, py), ((px + qx) / 2, (py + qy) / 2)):
@@ -63,7 +63,7 @@ def like_chains_have_no_contact(pair: SweepPair) -> Iterator[str]:
 
 
 def _side(shape: AnyPolygon, letter: str, index: int) -> str:
-    """Return the chain that has a feature in its interior; "end" if neither has."""
+    """Return the chain, "bottom" or "top", with a feature in its interior, or else "end"."""
     corners, edges = number_features(shape)
     feature = corners[index] if letter == "V" else tuple(corners[k] for k in edges[index])
     for name, side in zip(("bottom", "top"), split(shape.vertices), strict=True):
@@ -73,8 +73,8 @@ def _side(shape: AnyPolygon, letter: str, index: int) -> str:
 
 
 def swept_area_is_the_definition(pair: SweepPair) -> Iterator[str]:
-    """The outer loop, the inner loop and all unswept holes are those of the definition."""
-    yield tell_unproved(sweep(*pair))
+    """The outer loop, the inner loop and all unswept holes match the definition."""
+    yield explain_unproved(sweep(*pair))
 
 
 def is_annulus(pair: SweepPair) -> Iterator[str]:
@@ -85,7 +85,7 @@ def is_annulus(pair: SweepPair) -> Iterator[str]:
 
 
 def find_void(effort: Effort) -> Iterator[Observation]:
-    """Find the loops of a swept area where G enters a cave of D."""
+    """Count the loops of a swept area where G enters a cave of D."""
     sizes = (10,) if effort.quick else (9, 10, 11)
     directrix = [(10 * x, 10 * y) for x, y in CAVE.directrix]
     pairs = [SweepPair([(k * x, k * y) for x, y in CAVE.generatrix], directrix) for k in sizes]
@@ -93,9 +93,9 @@ def find_void(effort: Effort) -> Iterator[Observation]:
     yield from chain.from_iterable(map(swept_area_is_the_definition, pairs))
     if all(len(sweep(*pair).unswept) == 1 for pair in pairs):
         yield Counterexample(
-            "the swept area leaves 3 parts of the plane free, not 2: G goes in and out of the cave "
-            "along its walls, and passes by its middle"
-            + ("" if effort.quick else "; and so with G a tenth smaller or larger"),
+            "the complement of the swept area has 3 components, not 2: G enters the cave, follows "
+            "its walls and leaves without covering its middle"
+            + ("" if effort.quick else "; the same happens if G is a tenth smaller or larger"),
             "by hand",
             *CAVE,
         )
@@ -105,7 +105,7 @@ def boundaries_are_bottom_chains(pair: SweepPair) -> Iterator[str]:
     """The boundaries of a lower sweep are the bottom chains of both loops by the definition."""
     g, d = map(Polygon, pair)
     half, _ = MonotoneSolution(g, d, X_AXIS).halves
-    yield from tell_boundaries(pair, inner=half.inner, outer=half.outer)
+    yield from compare_boundaries(pair, inner=half.inner, outer=half.outer)
 
 
 def halves_are_alike(pair: SweepPair) -> Iterator[str]:
@@ -115,8 +115,8 @@ def halves_are_alike(pair: SweepPair) -> Iterator[str]:
     for name in ("trajectory", "inner", "outer"):
         turned = [(x, -y) for x, y in getattr(other, name).vertices]
         if Polygon(turned[::-1]) != getattr(s, name):
-            yield f"mirrored, the {name} is not that of the mirrored pair"
-    yield from tell_loops(s, "trajectory")
+            yield f"the {name} of the mirrored pair is not the mirrored {name}"
+    yield from compare_loops(s, "trajectory")
 
 
 def widths_add_up(pair: SweepPair) -> Iterator[str]:
@@ -124,13 +124,13 @@ def widths_add_up(pair: SweepPair) -> Iterator[str]:
     s = sweep(*pair)
     boxes = (shape.bounding_box for shape in (s.generatrix, s.directrix, s.trajectory))
     g, d, t = (high.x - low.x for low, high in boxes)
-    yield from tell_loops(s, "trajectory")
+    yield from compare_loops(s, "trajectory")
     if g + d != t:
-        yield f"widths {g}, {d}, {t} of G, D, T"
+        yield f"the widths of G, D and T are {g}, {d} and {t}"
 
 
 def steps_have_contacts(pair: SweepPair) -> Iterator[str]:
-    """Contacts last along the whole of each edge of the trajectory, as its step states."""
+    """Along the whole of each edge of the trajectory there are contacts, as its step states."""
     s = sweep(*pair)
     yield from contacts_are_right(s)
     for step in explain(s):
@@ -149,7 +149,7 @@ def count_events(effort: Effort) -> Iterator[Observation]:
     rows = [[event, f"{count:,}"] for event, count in sorted(events.items())]
     yield Table("Contacts at the vertices of trajectories", ("event", "how often"), rows)
     if missing := {"EE", "EV", "VE", "VV"} - set(events):
-        yield f"never seen: {', '.join(sorted(missing))}"
+        yield f"no contact of kind {', '.join(sorted(missing))}"
 
 
 def vertices_belong_to_events(pair: SweepPair) -> Iterator[str]:
@@ -168,21 +168,21 @@ def vertices_belong_to_events(pair: SweepPair) -> Iterator[str]:
         for contact in at:
             if contact.event == "VV" and not any(ends(contact, other) for other in lasting):
                 _, i, j = contact
-                yield f"at vertex {k} of the trajectory, the VV of {i} and {j} ends no other event"
+                yield f"the VV contact of {i} and {j} at vertex {k} of T ends no other event"
 
 
 def find_passing_vertices(effort: Effort) -> Iterator[Observation]:
-    """Try all convex pairs on a tiny grid, and all pairs of an apex and teeth on another."""
+    """Test all convex pairs on a tiny grid, and a triangle with all sets of teeth on another."""
     most = 6 if effort.quick else 8
     yield expect_none(search_grid(2, most, "convex", "convex", vertices_belong_to_events))
     yield search(_apexes_and_teeth(), vertices_belong_to_events, "of an apex and teeth")
     count = effort.cases(300)
     seen = sum(map(any, map(vertices_belong_to_events, draw_pairs(effort, "CM", count))))
-    yield Evidence(f"Of {count} random CM pairs {seen} have such a contact.")
+    yield Evidence(f"{seen} of {count} random CM pairs have such a contact.")
 
 
 def _apexes_and_teeth() -> Iterator[SweepPair]:
-    """Pair a triangle with all bottom chains of five vertices with heights from 0 to 2."""
+    """Yield a triangle with each bottom chain of five vertices at heights from 0 to 2."""
     generatrix = [(0, 0), (8, 0), (4, 2)]
     for heights in product(range(3), repeat=5):
         with suppress(PolygonError):
@@ -192,7 +192,7 @@ def _apexes_and_teeth() -> Iterator[SweepPair]:
 
 
 def starts_and_stops_at_the_ends(pair: SweepPair) -> Iterator[str]:
-    """The sweep starts with G's right end on D's left end, and stops with the others together."""
+    """The sweep starts with G's right end on D's left end, and stops with G's left on D's right."""
     s, (top, _, directrix) = sweep(*pair), pair.chains
     path = take_bottom(s.trajectory.vertices)
     for name, t, own, other in (
@@ -200,4 +200,4 @@ def starts_and_stops_at_the_ends(pair: SweepPair) -> Iterator[str]:
         ("stops", path[-1], top[-1], directrix[-1]),
     ):
         if (t[0] + own[0], t[1] + own[1]) != other:
-            yield f"it {name} at ({t[0]}, {t[1]}), with ({own[0]}, {own[1]}) not on D's end"
+            yield f"the sweep {name} at ({t[0]}, {t[1]}), with ({own[0]}, {own[1]}) off D's end"

@@ -16,10 +16,10 @@ from exactsweep.paper.checks.touching import contacts_are_right
 from exactsweep.paper.claim import Effort, Evidence, Observation
 from exactsweep.paper.costs import RUNS
 from exactsweep.paper.functions import (
+    compare_loops,
+    describe_difference,
     keep_corners,
     look_up_bottom,
-    tell_difference,
-    tell_loops,
     write_chain,
 )
 from exactsweep.paper.kernel import find_convex_parts, require_convex, sweep_inner_cc
@@ -33,18 +33,18 @@ def returns(
     fails: Callable[[str, Sequence[Vertex]], Iterable[str]] = lambda procedure, chain: (),
     **procedures: str,
 ) -> Law:
-    """Make a law: some procedures return the boundaries of the definition.
+    """Return a law: each procedure returns the boundary of the definition.
 
     Args:
-        words: the law, if it says more than that.
-        fails: further faults of a chain that a procedure returns.
-        procedures: a key of RUNS for each loop, whose bottom chain is the boundary.
+        words: the law, if it states more than that.
+        fails: a further check of the returned chain.
+        procedures: by loop, a key of RUNS; the boundary is the bottom chain of the loop.
     """
 
     def law(pair: SweepPair) -> Iterator[str]:
         for loop, procedure in procedures.items():
             found = list(RUNS[procedure](pair.chains))
-            yield tell_difference(procedure, found, look_up_bottom(pair, loop))
+            yield describe_difference(procedure, found, look_up_bottom(pair, loop))
             yield from fails(procedure, found)
 
     loop, procedure = next(iter(procedures.items()))
@@ -54,19 +54,19 @@ def returns(
 
 
 def slope(edge: Edge) -> Fraction:
-    """Return the slope of an edge, growing counter-clockwise; the same for the reversed edge."""
+    """Return the slope of an edge, which does not depend on its orientation."""
     (px, py), (qx, qy) = edge
     return Fraction(qy - py) / (qx - px)
 
 
 def lay_by_slope(start: Vertex, edges: Sequence[Edge], sign: int = 1) -> list[Vertex]:
-    """Lay edges end to end, each pointing right, by ascending (or descending) slope."""
+    """Join edges, each directed to the right, by ascending (or descending) slope."""
     ordered = sorted(edges, key=lambda edge: sign * slope(edge))
     return keep_corners(walk((minus(*sorted(edge)[::-1]) for edge in ordered), start))
 
 
 def start_of(top: Sequence[Vertex], directrix: Sequence[Vertex]) -> Vertex:
-    """Return the start of the trajectory: the right end of G_t on the left end of D_b."""
+    """Return the start of the trajectory, with the right end of G_t on the left end of D_b."""
     return directrix[0][0] - top[0][0], directrix[0][1] - top[0][1]
 
 
@@ -78,23 +78,23 @@ def merge_all(pair: SweepPair, sign: int = 1) -> list[Vertex]:
 
 
 def reversed_edges_make_the_inverse(pair: SweepPair) -> Iterator[str]:
-    """Reversed twice, a chain is itself; reversed and laid end to end, it is its inverse."""
+    """Reversing a chain twice restores it; its reversed edges, joined, form its inverse."""
     top = pair.chains.top
     edges = list(pairwise(top))
     turned = reverse(edges)
     if [(q, p) for p, q in turned] != edges or reverse(turned) != edges:
-        yield "the edges are not the same edges, each reversed, in the same order"
+        yield "reversal changes more than the direction of each edge"
     if list(map(slope, turned)) != list(map(slope, edges)):
-        yield "the slopes change"
+        yield "reversal changes the slopes"
     if walk((minus(q, p) for p, q in turned), inverse(top)[0]) != inverse(top):
-        yield "laid end to end they are not the inverse of G_t"
+        yield "the reversed edges, joined, are not the inverse of G_t"
 
 
 def left_turns_merge(pair: SweepPair) -> Iterator[str]:
-    """A chain with only left turns is one convex part, and merges by slope."""
+    """A chain with only left turns is a single convex part, and merges by slope."""
     directrix = pair.chains.directrix
     if keep_corners(require_convex(directrix)) != keep_corners(directrix):
-        yield "a chain with only left turns is not its only convex part"
+        yield "a chain with only left turns has several convex parts"
     yield from trajectory_by_slope(pair)
 
 
@@ -102,30 +102,30 @@ def right_turns_are_edges(pair: SweepPair) -> Iterator[str]:
     """A chain with only right turns has as many convex parts as edges."""
     chain = [(x, -y) for x, y in pair.chains.directrix]
     if len(parts := find_convex_parts(chain)) != len(chain) - 1:
-        yield f"it has {len(parts)} convex parts"
+        yield f"the chain has {len(parts)} convex parts"
 
 
 def closed_chains_merge(pair: SweepPair) -> Iterator[str]:
     """Lemma 3.1 holds for every D_b that a straight edge closes to a convex polygon."""
     with suppress(PolygonError):
         if Polygon(pair.chains.directrix).is_convex and any(trajectory_by_slope(pair)):
-            yield "D_b, closed by an edge, is convex; the merge by slope is not the trajectory"
+            yield "D_b is convex when closed by an edge; the merge by slope is not the trajectory"
 
 
 def clockwise_slopes_merge(pair: SweepPair) -> Iterator[str]:
     """Sorting the edges by clockwise slope yields the trajectory."""
     if merge_all(pair, sign=-1) != look_up_bottom(pair, "trajectory"):
-        yield "sorted by slopes measured clockwise, the edges are not the trajectory"
+        yield "the edges sorted by clockwise slope are not the trajectory"
 
 
 def trajectory_by_slope(pair: SweepPair) -> Iterator[str]:
     """The merge by slope is the trajectory of the definition."""
     expected = look_up_bottom(pair, "trajectory")
-    yield tell_difference("the merge by slope", merge_all(pair), expected)
+    yield describe_difference("the merge by slope", merge_all(pair), expected)
 
 
 def has_edge_in_two(procedure: str, chain: Sequence[Vertex]) -> Iterator[str]:
-    """Describe a fault if parallel edges are not joined."""
+    """Report parallel edges that are not joined."""
     if len(chain) != len(keep_corners(chain)):
         yield f"{procedure} does not join two parallel edges"
 
@@ -146,26 +146,26 @@ def inner_cc_is_right(pair: SweepPair) -> Iterator[str]:
     """SweepI_CC returns D_b, which is the inner boundary of the definition."""
     top, _, directrix = pair.chains
     expected = look_up_bottom(pair, "inner")
-    yield tell_difference("SweepI_CC", sweep_inner_cc(top, directrix), expected)
-    yield tell_difference("D_b", directrix, expected)
+    yield describe_difference("SweepI_CC", sweep_inner_cc(top, directrix), expected)
+    yield describe_difference("D_b", directrix, expected)
 
 
 def outer_by_slope(pair: SweepPair) -> Iterator[str]:
-    """The edges of all three chains, sorted by slope, are the outer boundary."""
+    """Sorting the edges of all three chains by slope yields the outer boundary."""
     top, bottom, directrix = pair.chains
     x, y = start_of(top, directrix)
     edges = [*reverse(list(pairwise(top))), *pairwise(bottom), *pairwise(directrix)]
     found = lay_by_slope((x + bottom[0][0], y + bottom[0][1]), edges)
-    yield tell_difference("the merge by slope", found, look_up_bottom(pair, "outer"))
+    yield describe_difference("the merge by slope", found, look_up_bottom(pair, "outer"))
 
 
 def loops_are_small(pair: SweepPair) -> Iterator[str]:
-    """All loops are convex and no larger than stated."""
+    """All loops are convex and within the stated sizes."""
     s, (n, m) = sweep(*pair), map(len, pair)
     for loop, most in (s.trajectory, m + n), (s.inner, m), (s.outer, m + 2 * n):
         if not loop.is_convex or len(loop) > most:
-            yield f"not convex, or of more than {most} edges: {write_chain(loop)}"
-    yield from tell_loops(s)
+            yield f"a loop is not convex, or has more than {most} edges: {write_chain(loop)}"
+    yield from compare_loops(s)
 
 
 def count_attained(effort: Effort) -> Iterator[Observation]:
@@ -175,8 +175,8 @@ def count_attained(effort: Effort) -> Iterator[Observation]:
         for count, *how in ((200,), (100, "weak"), (10, "large"))
     )
     attained = sum(len(sweep(g, d).outer) == len(d) + 2 * len(g) for g, d in chain(*drawn))
-    yield Evidence(f"The bound for the outer loop is attained by {attained} of them.")
-    yield "" if attained else "the bounds are never attained"
+    yield Evidence(f"The outer loop attains its bound in {attained} of them.")
+    yield "" if attained else "no outer loop attains its bound"
 
 
 def every_edge_is_touched(pair: SweepPair) -> Iterator[str]:
@@ -185,4 +185,4 @@ def every_edge_is_touched(pair: SweepPair) -> Iterator[str]:
     slid = {c.directrix for at in s.contacts for c in at if c.event in ("VE", "EE")}
     yield from contacts_are_right(s)
     if missing := set(range(len(s.directrix))) - slid:
-        yield f"edges {sorted(missing)} of D have no contact along them"
+        yield f"no contact along edges {sorted(missing)} of D"

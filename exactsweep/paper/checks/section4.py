@@ -16,25 +16,25 @@ from exactsweep.paper.checks.section3 import returns
 from exactsweep.paper.checks.touching import contacts_are_right
 from exactsweep.paper.claim import Effort, Evidence, Observation
 from exactsweep.paper.functions import (
+    compare_loops,
     evaluate,
     list_sub_chains,
     look_up_bottom,
     lower_undercuts,
     reaches,
     sample_between,
-    tell_loops,
 )
 from exactsweep.paper.kernel import find_convex_parts
 from exactsweep.paper.pairs import SweepPair, draw_pairs
 
 
 def lowest(name: str, chains: Sequence[Sequence[Vertex]], envelope: Sequence[Vertex]) -> str:
-    """Report where an envelope differs from the minimum of some chains; empty if nowhere."""
+    """Report where an envelope differs from the minimum of some chains, or an empty string."""
     for x in sample_between(envelope, *chains):
         least = min((evaluate(chain, x) for chain in chains if reaches(chain, x)), default=None)
         found = evaluate(envelope, x) if reaches(envelope, x) else None
         if least != found:
-            return f"over {x} the lowest {name} is at {least}, the envelope at {found}"
+            return f"at {x}, the lowest {name} is at {least}, the envelope at {found}"
     return ""
 
 
@@ -46,7 +46,7 @@ def sub_trajectories_suffice(pair: SweepPair) -> Iterator[str]:
 
 
 def is_monotone(name: str, chain: Iterable[Vertex]) -> Iterator[str]:
-    """Report where a chain goes back along x, or has a vertical edge."""
+    """Report where a chain turns back along x, or has a vertical edge."""
     for p, q in pairwise(chain):
         if p[0] >= q[0]:
             yield f"{name} is not strictly X-monotone at x = {p[0]}"
@@ -56,26 +56,26 @@ trajectory_cm_is_right = returns(trajectory="Trajectory_CM")
 outer_cm_is_right = returns(outer="SweepO_CM")
 inner_cm_is_right = returns(inner="SweepI_CM")
 inner_is_monotone = returns(
-    "The inner boundary is X-monotone, strictly so.", is_monotone, inner="SweepI_CM"
+    "The inner boundary is strictly X-monotone.", is_monotone, inner="SweepI_CM"
 )
-MONOTONE = "Without vertical edges in G and D there are none in the chains, which are X-monotone."
+MONOTONE = "If G and D have no vertical edges, the chains are strictly X-monotone."
 loops_are_monotone = returns(MONOTONE, is_monotone, trajectory="Trajectory_CM", outer="SweepO_CM")
 
 
 def few_undercuts(pair: SweepPair) -> Iterator[str]:
     """There are fewer undercuts than convex parts of D_b, and each has at most n_t edges."""
     s, (top, _, directrix) = sweep(*pair), pair.chains
-    yield from tell_loops(s, "inner")
+    yield from compare_loops(s, "inner")
     lower = lower_undercuts(s)
     if len(lower) >= len(find_convex_parts(directrix)):
-        yield f"{len(lower)} undercuts of {len(find_convex_parts(directrix))} convex parts"
+        yield f"{len(lower)} undercuts for {len(find_convex_parts(directrix))} convex parts"
     for undercut in lower:
         if len(undercut.bottom) > len(top):
             yield f"an undercut with {len(undercut.bottom) - 1} edges"
 
 
 def bottom_chains_have_two_forms(pair: SweepPair) -> Iterator[str]:
-    """The bottom chain is a piece of G's boundary, or one edge parallel to the shared segment."""
+    """A bottom chain is a piece of G's boundary, or one edge parallel to the shared segment."""
     for undercut in sweep(*pair).undercuts:
         yield from _form(undercut, pair)
     yield from undercuts_fill_the_inner_loop(pair)
@@ -86,7 +86,7 @@ def undercuts_fill_the_inner_loop(pair: SweepPair) -> Iterator[str]:
     s = sweep(*pair)
     if sum(u.polygon.area for u in s.undercuts) + s.directrix.area != s.inner.area:
         yield "the union of the undercuts is not the difference of the inner loop and D"
-    yield from tell_loops(s, "inner")
+    yield from compare_loops(s, "inner")
 
 
 def count_forms(effort: Effort) -> Iterator[Observation]:
@@ -97,14 +97,14 @@ def count_forms(effort: Effort) -> Iterator[Observation]:
     forms = Counter(undercut.intersection for s in swept for undercut in s.undercuts)
     point, segment = forms["point"], forms["segment"]
     yield Evidence(f"Undercuts: {point} closed in a point, {segment} along a segment.")
-    yield "" if len(forms) == 2 else "one of the two forms is never seen"
+    yield "" if len(forms) == 2 else "only one of the two forms occurs"
 
 
 def _form(undercut: Undercut, pair: SweepPair) -> Iterator[str]:
     bottom, positions = undercut.bottom, undercut.positions
 
     def rests(t: Point) -> bool:
-        """Decide whether G at a position, free of D, has both ends on its boundary."""
+        """Decide whether G touches D at a position, with both ends on the boundary of G."""
         placed = [Point(x + t.x, y + t.y) for x, y in pair.generatrix]
         is_closed = all(point_in_polygon(end, placed) == 0 for end in (bottom[0], bottom[-1]))
         return is_closed and classify(pair.directrix, pair.generatrix, t).verdict == "CONTACT"
@@ -112,25 +112,25 @@ def _form(undercut: Undercut, pair: SweepPair) -> Iterator[str]:
     if undercut.intersection == "segment":
         (a, b), (c, d) = (bottom[0], bottom[-1]), (positions[0], positions[-1])
         if len(bottom) != 2 or (b.x - a.x) * (d.y - c.y) != (b.y - a.y) * (d.x - c.x):
-            yield f"not one edge: {undercut}"
+            yield f"not a single parallel edge: {undercut}"
         ends = [(c, d), (d, c)]
         beyond = [Point(p.x + STEP * (p.x - q.x), p.y + STEP * (p.y - q.y)) for p, q in ends]
         if c == d or [rests(t) for t in (c, d, *beyond)] != [True, True, False, False]:
-            yield f"not there: {undercut}"
+            yield f"not at both ends of the segment alone: {undercut}"
     else:
         (t,) = positions
         placed = [Point(x + t.x, y + t.y) for x, y in pair.generatrix]
         if any(point_in_polygon(p, placed) for p in bottom):
             yield f"the bottom chain is off the boundary of G: {undercut}"
         if not set(bottom[1:-1]) <= set(placed):
-            yield f"not a corner of G: {undercut}"
+            yield f"a vertex is not a corner of G: {undercut}"
 
 
 def labels_name_the_extremes(pair: SweepPair) -> Iterator[str]:
     """The contacts at the positions that close an undercut include both of its extremes."""
     s = sweep(*pair)
     yield from contacts_are_right(s)
-    yield from tell_loops(s, "inner")
+    yield from compare_loops(s, "inner")
     features = SweepFeatures(s)
     for undercut in s.undercuts:
         spots = {

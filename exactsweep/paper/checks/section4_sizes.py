@@ -28,7 +28,7 @@ def sizes_are_bounded(pair: SweepPair) -> Iterator[str]:
 
 
 def find_large_parts(effort: Effort) -> Iterator[Observation]:
-    """Count the edges of an outer boundary under a G_t of one edge."""
+    """Count the edges of outer boundaries for a G_t of one edge."""
     rows = []
     for n_b in (4, 8, 16):
         pair = under_a_lid(n_b)
@@ -38,15 +38,16 @@ def find_large_parts(effort: Effort) -> Iterator[Observation]:
     growing = [int(row[2]) for row in rows]
     if all(later > 1.5 * before for before, later in pairwise(growing)):
         yield Counterexample(
-            f"{growing[0]} edges in the outer boundary where m_b n_t = {bound}, and more with n_b",
+            f"the outer boundary has {growing[0]} edges, although m_b n_t = {bound}, and grows "
+            "with n_b",
             "built by hand: deep teeth, and a G with one top edge",
             *under_a_lid(4),
         )
-    yield Table("G_t is one edge, D_b has four teeth", ("n_b", "m_b n_t", "edges"), rows)
+    yield Table("G_t with one edge, D_b with four teeth", ("n_b", "m_b n_t", "edges"), rows)
 
 
 def parts_are_bounded(pair: SweepPair) -> Iterator[str]:
-    """With k convex parts in D_b, these have at most m_b + k n_t and m_b + k (n_t + n_b) edges."""
+    """With k parts, they have at most m_b + k n_t and m_b + k (n_t + n_b) edges in total."""
     n_t, n_b, m_b = (len(chain) - 1 for chain in pair.chains)
     paths, outers = list_sub_chains(pair)
     k = len(paths)

@@ -17,13 +17,13 @@ from exactsweep.paper.checks.section4 import MONOTONE, is_monotone, lowest
 from exactsweep.paper.claim import Counterexample, Effort, Observation, find_first_failure
 from exactsweep.paper.functions import (
     clip_to,
+    compare_boundaries,
+    compare_loops,
+    describe_difference,
     keep_corners,
     list_edges,
     look_up,
     look_up_bottom,
-    tell_boundaries,
-    tell_difference,
-    tell_loops,
     write_chain,
 )
 from exactsweep.paper.kernel import (
@@ -40,7 +40,7 @@ from exactsweep.paper.pairs import SweepPair
 from exactsweep.paper.tiny import search_grid
 from exactsweep.procedures.chain import complement, inverse, split
 
-# G, of width 16, draws parallel edges of both loops at distance 11.
+# Along one edge of T, edges of both loops are at distance 11, but G has width 16.
 NARROW = SweepPair(
     [(0, 0), (1, -8), (2, -1), (7, -1), (10, 7), (9, 8), (7, 1), (5, 0), (2, 3)],
     [(0, 0), (30, 0), (15, 3)],
@@ -58,15 +58,15 @@ def sub_trajectories_suffice(pair: SweepPair) -> Iterator[str]:
 
 
 def inverse_is_a_reflection(pair: SweepPair) -> Iterator[str]:
-    """The inverse of vertices, chains and the polygon is their point reflection."""
+    """The inverses of vertices, of chains and of the polygon are their point reflections."""
     g = Polygon(pair.generatrix)
     if g.reflected().reflected() != g:
         yield "the inverse of the inverse is not G"
     mirrored = g.reflected((1, 2))
     if mirrored != g.reflected().translated((2, 4)):
-        yield "the inverse about another point is more than translated"
+        yield "reflections about two points differ by more than a translation"
     if any(point_in_polygon((2 - x, 4 - y), mirrored) != 0 for x, y in pair.generatrix):
-        yield "an image of a vertex is not on the boundary of the image"
+        yield "the image of a vertex is off the boundary of the image"
     bottom, top = split(pair.generatrix)
     turned = [(int(x), int(y)) for x, y in g.reflected().vertices]
     if split(turned) != (inverse(top), inverse(bottom)):
@@ -84,26 +84,26 @@ def complement_has_the_outside_left(pair: SweepPair) -> Iterator[str]:
             x, y = (px + qx) * Fraction(1, 2), (py + qy) * Fraction(1, 2)
             left = x - eps * (qy - py), y + eps * (qx - px)
             if point_in_polygon(left, polygon) != sign:
-                yield f"left of ({px}, {py}) to ({qx}, {qy}) is the wrong side of D"
+                yield f"the wrong side of D is on the left of ({px}, {py}) to ({qx}, {qy})"
 
 
 def loops_are_retraced(pair: SweepPair) -> Iterator[str]:
-    """Both loops are trajectories of I(G); the inner one with I(G) inside T."""
+    """Both loops are trajectories of I(G), which is inside T for the inner loop."""
     inner, outer = find_inner(pair.chains), find_outer(pair.chains)
     whole = sweep(sweep(*pair).generatrix.reflected(), sweep(*pair).trajectory).trajectory
     if whole.vertices != look_up(pair).outer:
         yield "the trajectory of I(G) around T is not the outer loop"
-    yield from tell_boundaries(pair, inner=clip_to(inner, pair.chains.directrix), outer=outer)
+    yield from compare_boundaries(pair, inner=clip_to(inner, pair.chains.directrix), outer=outer)
 
 
 def inner_to_the_letter(pair: SweepPair) -> Iterator[str]:
-    """Show that Trajectory_MM along the inside does not return the inner boundary."""
+    """Report that Trajectory_MM along the inside of T does not return the inner boundary."""
     inner = keep_corners(find_inner(pair.chains))
     expected = look_up_bottom(pair, "inner")
     if inner != expected:
         yield (
-            f"Trajectory_MM along the inside of T goes from x = {inner[0][0]} to {inner[-1][0]} in "
-            f"{len(inner) - 1} edges; the inner boundary from {expected[0][0]} to "
+            f"Trajectory_MM along the inside of T extends from x = {inner[0][0]} to {inner[-1][0]} "
+            f"in {len(inner) - 1} edges; the inner boundary, from {expected[0][0]} to "
             f"{expected[-1][0]} in {len(expected) - 1}"
         )
 
@@ -119,10 +119,10 @@ loops_are_monotone = returns(
 
 
 def trajectory_is_monotone(pair: SweepPair) -> Iterator[str]:
-    """The trajectory is a simple polygon made of two X-monotone chains."""
+    """The trajectory is a simple polygon that consists of two X-monotone chains."""
     s = sweep(*pair)
     bottom, top = split(Polygon(s.trajectory.vertices).vertices)
-    yield from tell_loops(s, "trajectory")
+    yield from compare_loops(s, "trajectory")
     yield from mm_trajectory_is_monotone(pair)
     yield from is_monotone("the bottom chain of T", bottom)
     yield from is_monotone("the top chain of T", top[::-1])
@@ -131,16 +131,16 @@ def trajectory_is_monotone(pair: SweepPair) -> Iterator[str]:
 def local_width(pair: SweepPair) -> Iterator[str]:
     """The distance of the outer loop from an edge of a convex D is the width of G there."""
     s = sweep(*pair)
-    yield from _tell_width(s, s.inner)
+    yield from _compare_width(s, s.inner)
 
 
-def _tell_width(s: Sweep, inside: AnyPolygon) -> Iterator[str]:
-    """Report edges whose distance from the outer loop differs from G's width there."""
+def _compare_width(s: Sweep, inside: AnyPolygon) -> Iterator[str]:
+    """Report edges whose distance from the outer loop differs from G's width across them."""
     for p, q in list_edges(inside.vertices):
         normal = q.y - p.y, p.x - q.x
         reach, own = (max(_measure(normal, loop)) for loop in (s.outer, inside))
         if reach - own != _measure_width(normal, s.generatrix):
-            yield f"across ({p.x}, {p.y}) to ({q.x}, {q.y}) the width of the area is not that of G"
+            yield f"across ({p.x}, {p.y}) to ({q.x}, {q.y}) the area is not as wide as G"
 
 
 def _measure(normal: Vertex, points: Iterable[Vertex]) -> list[Rational]:
@@ -154,17 +154,17 @@ def _measure_width(normal: Vertex, polygon: AnyPolygon) -> Rational:
 
 
 def find_missing_edge(effort: Effort) -> Iterator[Observation]:
-    """Look for edges of a trajectory that draw no edge of a loop, or two that are too near."""
+    """Search for edges of a trajectory with no edge of a loop along them, or with two too near."""
 
     def lacks(pair: SweepPair, name: str) -> Iterator[str]:
         s = sweep(*pair)
         slopes, own = ({*map(slope, list_edges(x))} for x in (s.trajectory, getattr(s, name)))
         for missing in sorted(slopes - own):
-            yield f"the trajectory has edges of slope {missing}, and the {name} loop has none"
+            yield f"the trajectory has edges of slope {missing}, the {name} loop has none"
 
     yield search_grid(2, 6, "convex", "convex", partial(lacks, name="inner"))
     yield (outer := search_grid(3, 8, "bent", "bent", partial(lacks, name="outer")))
-    yield "" if outer.cases else "no edge of an outer loop is missing"
+    yield "" if outer.cases else "the outer loop has edges of all slopes of the trajectory"
     near = shrink(edges_are_near, NARROW)
     text = find_first_failure(edges_are_near(near))
     how = "by hand, reduced while both edges remain too near"
@@ -172,7 +172,7 @@ def find_missing_edge(effort: Effort) -> Iterator[Observation]:
 
 
 def edges_are_near(pair: SweepPair) -> Iterator[str]:
-    """Report two edges drawn along one edge of T whose distance is below the width of G."""
+    """Report edges of both loops along one edge of T at a distance below the width of G."""
     s = sweep(*pair)
     if any(p.x == q.x for polygon in (s.generatrix, s.directrix) for p, q in list_edges(polygon)):
         return
@@ -186,34 +186,34 @@ def edges_are_near(pair: SweepPair) -> Iterator[str]:
         width = _measure_width(normal, s.generatrix)
         if inner and outer and max(outer) - min(inner) < width:
             yield (
-                f"along ({p.x}, {p.y}) to ({q.x}, {q.y}) both edges are there, at distance "
+                f"along ({p.x}, {p.y}) to ({q.x}, {q.y}) both edges exist, at distance "
                 f"{max(outer) - min(inner)}, but G has width {width}, in units of the edge's "
                 "length"
             )
 
 
 def _draws(v: Vertex, edge: Edge, loop: Sequence[Segment]) -> bool:
-    """Decide whether a vertex of G draws a piece of a loop along an edge of the trajectory."""
+    """Decide whether a vertex of G draws part of a loop along an edge of the trajectory."""
     (px, py), (qx, qy) = edge
     drawn = make_segment(((px + v[0], py + v[1]), (qx + v[0], qy + v[1])))
     return any(drawn[:2] == other[:2] and drawn.shares_piece(other) for other in loop)
 
 
 def outside_of_the_inner_loop(pair: SweepPair) -> Iterator[str]:
-    """The sweep of G around the inner loop has the trajectory of the sweep around D."""
+    """The sweep of G around the inner loop has the same trajectory as that around D."""
     s = sweep(*pair)
     if sweep(s.generatrix, s.inner).trajectory != s.trajectory:
-        yield "the trajectory around the inner loop is different"
-    yield from tell_loops(s, "inner")
+        yield "the trajectory around the inner loop differs"
+    yield from compare_loops(s, "inner")
 
 
 def inside_of_the_outer_loop(pair: SweepPair) -> Iterator[str]:
-    """Report the lowest path of G inside the outer loop if it is not the trajectory."""
+    """Report the lowest path of G inside the outer loop unless it is the trajectory."""
     path, outer = look_up_bottom(pair, "trajectory"), look_up_bottom(pair, "outer")
     found = clip_to(slide_inside(pair.chains.bottom, outer, lambda c: trajectory_mm(*c[::2])), path)
     if found != path:
         chains = write_chain(found), write_chain(path)
-        yield f"inside the outer loop G's path is {chains[0]}, the trajectory {chains[1]}"
+        yield f"inside the outer loop, the path of G is {chains[0]}; the trajectory, {chains[1]}"
 
 
 def shortcuts_change_nothing(pair: SweepPair) -> Iterator[str]:
@@ -226,11 +226,11 @@ def shortcuts_change_nothing(pair: SweepPair) -> Iterator[str]:
         ("outer boundary", found[1], outer),
         ("inner boundary", found[0], clip_to(inner, directrix)),
     ):
-        yield tell_difference(f"the {name}", chain, literally, "to the letter")
+        yield describe_difference(f"the {name}", chain, literally, "as printed")
 
 
 def outer_loop_reaches_by_the_width(pair: SweepPair) -> Iterator[str]:
-    """The outer loop extends beyond each edge of D by the width of G there."""
+    """The outer loop extends beyond each edge of D by the width of G across the edge."""
     s = sweep(*pair)
-    yield from tell_loops(s, "outer")
-    yield from _tell_width(s, s.directrix)
+    yield from compare_loops(s, "outer")
+    yield from _compare_width(s, s.directrix)

@@ -20,37 +20,37 @@ from exactsweep.paper.checks.segments import (
 from exactsweep.paper.claim import Counterexample, Effort, Evidence, Observation, Table
 from exactsweep.paper.costs import RUNS
 from exactsweep.paper.functions import (
+    describe_difference,
     keep_corners,
     look_up_bottom,
-    tell_difference,
 )
 from exactsweep.paper.kernel import list_sub_trajectories, trajectory_mm
 from exactsweep.paper.pairs import Chains, SweepPair
 
-# The pair found by the search of Lemma 5.2.
+# Found by the search of Lemma 5.2.
 OUTGROWING = SweepPair([(0, 3), (1, 0), (2, 3), (1, 1)], [(0, 0), (1, 1), (3, 0), (1, 2)])
 
 
 def outgrows_its_parts(pair: SweepPair) -> Iterator[str]:
-    """Show a trajectory with more edges than its sub-trajectories together."""
+    """Report a trajectory with more edges than its sub-trajectories have in total."""
     sizes = [len(keep_corners(chain)) - 1 for chain in list_sub_trajectories(pair.chains)]
     found = len(keep_corners(trajectory_mm(*pair.chains[::2]))) - 1
     if found > sum(sizes):
         yield (
-            f"the size argument fails: {found} edges in the lower envelope of sub-trajectories of "
-            f"{sizes} edges"
+            f"the size argument fails: the lower envelope has {found} edges, the sub-trajectories "
+            f"have {sizes}"
         )
 
 
 def pieces_at_the_sides(segments: Sequence[Stroke]) -> int:
-    """Count the pieces of the envelopes of the first k and the last k of s segments, k < s."""
+    """Count the pieces of the envelopes of the first k and of the last s - k of s segments."""
     return sum(
         count_pieces(segments[:k]) + count_pieces(segments[k:]) for k in range(1, len(segments))
     )
 
 
 def fill_windows(effort: Effort) -> Iterator[Observation]:
-    """Count the pieces of trajectories that hold many envelopes of segments."""
+    """Count the pieces of trajectories that contain many envelopes of segments."""
     rows = []
     for segments in BEST:
         pair, count, most = build_windows(segments), len(segments), count_pieces(segments)
@@ -60,60 +60,60 @@ def fill_windows(effort: Effort) -> Iterator[Observation]:
         expected = (count + 1) * most + pieces_at_the_sides(segments)
         found = pieces_in(keep_corners(trajectory_mm(*pair.chains[::2])), segments)
         if found != expected:
-            yield f"{found} pieces of {count} segments in T, {expected} by the envelopes"
+            yield f"{found} pieces of {count} segments in T, {expected} expected"
         numbers = map(str, (count, most, 2 * count - 1))
         shares = most / count, found / (2 * count**2)
         rows.append([*numbers, f"{shares[0]:.2f}", f"{found:,}", f"{shares[1]:.2f}"])
     yield Table(
-        "Lower envelopes of s segments, the best that a search has found, and a trajectory, of "
-        "2s segments and s peaks, that holds s + 1 such envelopes",
-        ("s", "pieces", "2s - 1", "pieces / s", "pieces in T", "for each segment and peak"),
+        "Lower envelopes of s segments, the best found by a search, and a trajectory of 2s "
+        "segments and s peaks that contains s + 1 such envelopes",
+        ("s", "pieces", "2s - 1", "pieces / s", "pieces in T", "per segment and peak"),
         rows,
     )
-    yield _tell_fall([row[3] for row in rows], "the pieces for each segment do not rise")
+    yield _report_fall([row[3] for row in rows], "the pieces per segment do not rise")
     yield from trajectory_mm_is_right(OUTGROWING)
     yield from sub_trajectories_suffice(OUTGROWING)
 
 
-def _tell_fall(rates: Sequence[str], words: str) -> str:
+def _report_fall(rates: Sequence[str], words: str) -> str:
     """Return the text if some rates are not in ascending order."""
     return "" if sorted(rates, key=float) == [*rates] else words
 
 
 def find_outer(pair: SweepPair) -> list[Vertex]:
-    """Find the outer boundary of the lower sweep, which must be that of the definition."""
+    """Return the outer boundary of the lower sweep; raise an error if the definition differs."""
     outer = keep_corners(RUNS["Sweep_MM, outer loop"](pair.chains))
-    if failure := tell_difference("the outer boundary", outer, look_up_bottom(pair, "outer")):
+    if failure := describe_difference("the outer boundary", outer, look_up_bottom(pair, "outer")):
         raise ExactSweepError(failure)
     return outer
 
 
 def find_beyond_mn2(effort: Effort) -> Iterator[Observation]:
-    """Find outer boundaries of more than order mn²: the largest piece, and the total."""
+    """Find outer boundaries of more than order mn²: the largest example, and a table."""
     rows = []
-    # The definition, which takes all pairs of edges, is slow with more segments.
+    # The definition tests all pairs of edges, so it is slow with more segments.
     for segments in BEST[:4]:
         pair, count = build_windows_of_windows(segments), len(segments)
         full, most = count * (count - 1) + 1, count_pieces(segments)
-        # The ends of G may add some.
+        # The ends of G may add pieces.
         least = full * most + pieces_at_the_sides(segments)
         found = pieces_in(find_outer(pair), segments)
         if found < least:
-            yield f"{found} pieces of {count} segments, {least} by the envelopes"
+            yield f"{found} pieces of {count} segments, at least {least} expected"
         rate = f"{found / count**3:.2f}"
         rows.append([*map(str, (count, most, full)), f"{found:,}", rate])
-    yield _tell_fall([row[-1] for row in rows], "the pieces for each segment, peak and tip fall")
+    yield _report_fall([row[-1] for row in rows], "the pieces per segment, peak and tip fall")
     yield Counterexample(
         f"the size argument fails: with {count} segments, peaks and tips, {found:,} pieces of "
-        f"outer boundary in {full} full windows, {rate} for each segment, peak and tip, which "
-        "rises with the envelopes of segments (see Lemma 5.2)",
-        "the segments of Lemma 5.2, laid over one another twice",
+        f"outer boundary in {full} full windows, {rate} per segment, peak and tip; this rate rises "
+        "with the envelopes of segments (see Lemma 5.2)",
+        "the segments of Lemma 5.2 in two levels of windows",
         *pair,
     )
     yield Table(
-        "Outer boundaries of s segments in D_b, s peaks in G_t and s tips in G_b that hold "
+        "Outer boundaries of s segments in D_b, s peaks in G_t and s tips in G_b that contain "
         "s² - s + 1 envelopes of all segments",
-        ("s", "pieces", "full windows", "pieces in all", "for each segment, peak and tip"),
+        ("s", "pieces", "full windows", "pieces in all", "per segment, peak and tip"),
         rows,
     )
 
@@ -122,8 +122,8 @@ def fill_windows_of_windows(effort: Effort) -> Iterator[Observation]:
     """Count the edges of outer boundaries."""
     last = RECORDS[-1]
     yield Evidence(
-        "The family of Figure 10; windows of windows, and the records of a search, both held "
-        f"against the definition. The last record: G = {last.generatrix}, D = {last.directrix}."
+        "The family of Figure 10; windows of windows, and the records of a search, both compared "
+        f"with the definition. The last record: G = {last.generatrix}, D = {last.directrix}."
     )
     yield from find_beyond_mn2(effort)
     rows = []
@@ -132,7 +132,7 @@ def fill_windows_of_windows(effort: Effort) -> Iterator[Observation]:
         counts = printed_count(*sizes), m_b * n_t * n_b, len(find_outer(pair)) - 1
         rows.append([str(sizes), *map(str, counts)])
     yield Table(
-        "Edges of the outer boundary: the most that hill climbing from random chains has found",
+        "Edges of the outer boundary: the most that hill climbing from random chains found",
         ("(m_b, n_t, n_b)", "count of Figure 10", "product", "found"),
         rows,
     )
@@ -144,7 +144,7 @@ def sizes_of(half: Chains) -> tuple[int, int, int]:
 
 
 def count_bumps(effort: Effort) -> Iterator[Observation]:
-    """Compare the printed count with the family of Figure 10."""
+    """Compare the printed formula with the family of Figure 10."""
     sizes = [(2, 4, 6), (2, 2, 4), (4, 2, 4), (4, 4, 4), (4, 4, 6), (4, 6, 8), (6, 6, 6), (6, 8, 8)]
     rows, differing = [], []
     for size in sizes[: 5 if effort.quick else None]:
@@ -155,8 +155,8 @@ def count_bumps(effort: Effort) -> Iterator[Observation]:
         if edges != expected:
             yield f"{edges} edges for {size}, not {expected}"
         if edges != printed:
-            text = f"{edges} edges for (m_b, n_t, n_b) = {size}; the formula says {printed}"
-            how = "the first of the family, by size, with two teeth and two peaks"
+            text = f"{edges} edges for (m_b, n_t, n_b) = {size}; the formula gives {printed}"
+            how = "the smallest pair of the family with two teeth and two peaks"
             differing.append(Counterexample(text, how, *pair))
     yield from differing[:1]
     yield Table(

@@ -25,8 +25,8 @@ from exactsweep.paper.counting import (
 from exactsweep.paper.counts import count_all
 from exactsweep.paper.functions import (
     clip_to,
+    describe_difference,
     look_up_bottom,
-    tell_difference,
 )
 from exactsweep.paper.growth import M_PLUS_N, Growth, double
 from exactsweep.paper.pairs import Chains, SweepPair
@@ -49,15 +49,15 @@ def count_one_merge(effort: Effort) -> Iterator[Observation]:
         return count_operations(run, *map(make_counted, chains))
 
     pairs = list(product(_tiny_chains(), repeat=2))
-    tried = f"All {len(pairs)} pairs of chains of one or two edges on the 3 by 3 grid; counts."
+    tried = f"All {len(pairs)} pairs of chains of one or two edges on the 3 by 3 grid, and counts."
     yield Evidence(tried, searched=len(pairs))
-    # Only the ends keep the counts from being proportional.
+    # Only the ends of the chains keep the counts from being proportional.
     yield grow("operations of one merge", zigzags, M_PLUS_N, double(64, 4), count, limit=1.005)
     yield from (lowest("chain", chains, list(run(*chains))) for chains in pairs)
 
 
 def _tiny_chains() -> list[list[Vertex]]:
-    """List chains over 0, 1 and 2, at heights 0 to 2, those of one edge first."""
+    """List all chains over 0 to 2 with heights 0 to 2, starting with single edges."""
     straight: list[list[Vertex]] = [[(0, a), (2, b)] for a, b in product(range(3), repeat=2)]
     bends: list[list[Vertex]] = [
         [(0, a), (1, b), (2, c)] for a, b, c in product(range(3), repeat=3) if a + c != 2 * b
@@ -66,7 +66,7 @@ def _tiny_chains() -> list[list[Vertex]]:
 
 
 def merge_by_halves(pair: SweepPair) -> tuple[int, float]:
-    """Count the operations of LowerEnvelope_MM, compared with N log k for inputs of size N."""
+    """Count the operations of LowerEnvelope_MM; the bound is N log k for k chains, N edges."""
     graphs = kernel.list_sub_trajectories(count_chains(pair))
     size = sum(len(graph.pieces) for graph in graphs)
     with watch_operations() as tally:
@@ -79,17 +79,17 @@ def lower_envelope_mm_is_right(pair: SweepPair) -> Iterator[str]:
     chains = kernel.list_sub_trajectories(pair.chains)
     found = lower_envelope_mm(chains)
     yield lowest("sub-trajectory", [list(chain) for chain in chains], list(found))
-    yield tell_difference("the lower envelope", found, look_up_bottom(pair, "trajectory"))
+    yield describe_difference("the lower envelope", found, look_up_bottom(pair, "trajectory"))
 
 
 def find_large_trajectory(effort: Effort) -> Iterator[Observation]:
-    """Count the operations of Trajectory_MM; the size that its bound assumes is refuted."""
+    """Show a trajectory that exceeds the size assumed by the bound."""
     how = "the first of the non-convex quadrilaterals on the 4 by 4 grid"
     yield from (Counterexample(text, how, *OUTGROWING) for text in outgrows_its_parts(OUTGROWING))
 
 
 def find_large_loop(effort: Effort) -> Iterator[Observation]:
-    """Count the operations of Sweep_MM; the size that its bound assumes is refuted."""
+    """Show outer boundaries that exceed the size assumed by the bound."""
     yield from (part for part in find_beyond_mn2(effort) if not isinstance(part, Table))
 
 
@@ -98,8 +98,8 @@ def step_2(pair: SweepPair) -> int:
     return operations(lambda c: chain.from_iterable(kernel.list_sub_trajectories(c)), pair.chains)
 
 
-def merge_parts_by_turns(pair: SweepPair) -> int:
-    """Count the operations, and copied slots, of merging one sub-trajectory at a time."""
+def merge_parts_in_turn(pair: SweepPair) -> int:
+    """Count the operations and copied slots of merging one sub-trajectory at a time."""
     graphs = _sub_trajectories(count_chains(pair))
     with watch_operations() as tally:
         merged = reduce(lambda partial, graph: merge(watch_slots(partial), graph), graphs)
@@ -115,12 +115,12 @@ def merge_parts_by_halves(pair: SweepPair) -> int:
 
 
 def count_glance(effort: Effort) -> Iterator[Observation]:
-    """Count the operations of merging sub-trajectories one at a time, and by halves."""
+    """Count the operations of merging sub-trajectories one at a time and by halves."""
     growth = list(count_all("Envelopes at first glance", effort))
-    yield Evidence("Counts.")
+    yield Evidence("Operations are counted.")
     yield from growth
     if growth[0].exponent() < 1.7:
-        yield "merging by turns takes less than order m²"
+        yield "merging in turn takes less than order m²"
 
 
 def _sub_trajectories(chains: Chains) -> list[Graph]:
@@ -129,19 +129,19 @@ def _sub_trajectories(chains: Chains) -> list[Graph]:
 
 
 def inner_again(chains: Chains, trajectory: Graph) -> list[Vertex]:
-    """Compute the inner boundary as printed: Trajectory_MM along all of T's inside."""
+    """Compute the inner boundary as printed: Trajectory_MM along the whole inside of T."""
     bottom, path = inverse(chains.top), list(trajectory)
     found = kernel.slide_inside(bottom, path, kernel.merge_sub_trajectories)
     return clip_to(found, chains.directrix)
 
 
 def inner_by_gaps(chains: Chains, trajectory: Graph) -> list[Vertex]:
-    """Compute the inner boundary as the kernel does: only in the undercuts."""
+    """Compute the inner boundary as the kernel does, in the undercuts only."""
     return kernel.sweep_inner_mm(chains.top, chains.directrix, trajectory)
 
 
 def sweep_again(pair: SweepPair, inner: Inner = inner_again) -> int:
-    """Count the operations beyond the trajectory, if all of T's inside is swept."""
+    """Count the operations beyond the trajectory if the whole inside of T is swept."""
     chains = count_chains(pair)
     return count_operations(inner, chains, kernel.trajectory_mm(*chains[::2]))
 
@@ -156,28 +156,28 @@ def gaps_give_the_same(pair: SweepPair) -> Iterator[str]:
     chains = pair.chains
     trajectory = kernel.trajectory_mm(*chains[::2])
     found, expected = inner_by_gaps(chains, trajectory), inner_again(chains, trajectory)
-    yield tell_difference("the inner boundary", found, expected)
+    yield describe_difference("the inner boundary", found, expected)
 
 
 def _outgrows(slow: Growth, fast: Growth) -> bool:
-    """Decide whether one count outgrows another with each doubling."""
+    """Decide whether one count grows faster than another in each doubling."""
     factors = [p.count / q.count for p, q in zip(slow.points, fast.points, strict=False)]
     return all(after > 1.4 * before for before, after in pairwise(factors))
 
 
 def count_gaps(effort: Effort) -> Iterator[Observation]:
-    """Count the operations of both algorithms for the inner boundary, and its size."""
+    """Count the operations of both algorithms for the inner boundary, and its vertices."""
     gaps, again, written = growth = list(count_all("A faster inner loop", effort))
     last, other = written.points[-1], gaps.points[len(again.points) - 1]
     yield Evidence(
-        "Operations counted where most of D_b is touched: "
-        f"{other.count:,} in place of {again.points[-1].count:,} at m = n = {other.m}. "
-        "A family of needles, vertices counted."
+        "Operations counted with most of D_b in contact: "
+        f"{other.count:,} instead of {again.points[-1].count:,} at m = n = {other.m}. "
+        "A family of needles, with vertices counted."
     )
     yield from growth
     yield "" if _outgrows(again, gaps) else "calling Trajectory_MM again is about as fast"
     yield Counterexample(
-        f"{last.count:,} vertices to be written for m = {last.m} and n = {last.n}, mn being "
+        f"the output has {last.count:,} vertices for m = {last.m} and n = {last.n}, mn being "
         f"{last.m * last.n:,}",
-        "a family made for the purpose: see Lemma 5.5",
+        "a family built for this: see Lemma 5.5",
     )

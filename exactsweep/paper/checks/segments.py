@@ -1,10 +1,10 @@
 """Envelopes of segments inside a trajectory: why Lemma 5.2 needs one more factor.
 
-The lower envelope of s lines has at most s pieces, that of s half-lines 2 s - 1; that of s segments
-can have more than any constant times s (Wiernik and Sharir 1988), but at most s times the inverse
-Ackermann function. Two copies of the segments, side by side in D_b, under s equal peaks of G_t at
-the same distance make windows: in s + 1 of these all segments lie above one another. So if
-envelopes of segments are not of linear size, trajectories are not of size O(mn).
+The lower envelope of s segments can have more pieces than any constant times s (Wiernik and Sharir
+1988), but at most s times the inverse Ackermann function. Place two copies of the segments side by
+side in D_b, and s equal peaks at the same distance in G_t. Then the trajectory has s + 1 windows
+with the envelope of all segments. So trajectories have size O(mn) only if envelopes of segments
+have linear size.
 """
 
 from __future__ import annotations
@@ -24,8 +24,8 @@ _DATA = json.loads(
     files("exactsweep.paper.checks").joinpath("segments.json").read_text(encoding="utf-8")
 )
 
-# The most pieces that a search by simulated annealing found for each number of segments; for up to
-# five that is as many as there can be at all, the longest Davenport-Schinzel sequence of order 3.
+# The segments with the most pieces that simulated annealing found, by number of segments. Up to
+# five, they attain the longest Davenport-Schinzel sequence of order 3.
 BEST: list[list[Stroke]] = _DATA["best"]
 FINE = 64
 
@@ -34,7 +34,7 @@ RECORDS = tuple(map(read_pair, _DATA["records"]))
 
 
 def count_pieces(segments: Sequence[Stroke]) -> int:
-    """Count the pieces of the lower envelope of some segments, without holes."""
+    """Count the pieces of the lower envelope of some segments, which must have no gaps."""
     lines = [
         (x0, x1, Fraction(y1 - y0, x1 - x0), y0 - Fraction(y1 - y0, x1 - x0) * x0)
         for x0, y0, x1, y1 in segments
@@ -52,9 +52,9 @@ def count_pieces(segments: Sequence[Stroke]) -> int:
 
 
 def build_windows(segments: Sequence[Stroke]) -> SweepPair:
-    """Build a pair whose trajectory has the envelope of all s segments s + 1 times.
+    """Build a pair whose trajectory contains the envelope of all s segments s + 1 times.
 
-    Left and right of these are the envelopes of the first and of the last 1, ..., s - 1 of them.
+    On both sides are envelopes of the first or the last 1, ..., s - 1 segments.
     """
     count = len(segments)
     directrix, width, high = _lay_side_by_side(segments, 2)
@@ -64,9 +64,9 @@ def build_windows(segments: Sequence[Stroke]) -> SweepPair:
 
 
 def build_windows_of_windows(segments: Sequence[Stroke]) -> SweepPair:
-    """Build a pair whose outer boundary has the envelope of all s segments s^2 - s + 1 times.
+    """Build a pair whose outer boundary contains the envelope of all s segments s² - s + 1 times.
 
-    Left and right of these are the envelopes of the first and of the last 1, ..., s - 1 of them.
+    On both sides are envelopes of the first or the last 1, ..., s - 1 segments.
     """
     count = len(segments)
     directrix, width, high = _lay_side_by_side(segments, 1)
@@ -82,9 +82,9 @@ def build_windows_of_windows(segments: Sequence[Stroke]) -> SweepPair:
 def _lay_side_by_side(
     segments: Sequence[Stroke], copies: int
 ) -> tuple[list[tuple[int, int]], int, int]:
-    """Return D of segments between walls, their distance, and half the height of the walls.
+    """Return a D of segments between walls, their distance, and half the height of the walls.
 
-    Walls are one unit wide; a unit of the segments is `FINE` of these.
+    Walls are one unit wide; the coordinates of the segments are multiplied by `FINE`.
     """
     left, low = min(s[0] for s in segments), min(min(s[1], s[3]) for s in segments)
     moved = [(x0 - left, y0 - low, x1 - left, y1 - low) for x0, y0, x1, y1 in segments]
@@ -104,7 +104,7 @@ def _lay_side_by_side(
 
 
 def _peaks(count: int, apart: int, high: int) -> list[tuple[int, int]]:
-    """Return G_t, from left to right: peaks with unit half-width, twice as high as the walls."""
+    """Return G_t, from left to right: peaks of half-width 1, twice as high as the walls."""
     top: list[tuple[int, int]] = [(-2, -4 * high)]
     for k in range(count):
         top += [(k * apart - 1, -4 * high), (k * apart, 0), (k * apart + 1, -4 * high)]
@@ -112,7 +112,7 @@ def _peaks(count: int, apart: int, high: int) -> list[tuple[int, int]]:
 
 
 def pieces_in(trajectory: Sequence[Vertex], segments: Sequence[Stroke]) -> int:
-    """Select edges of a trajectory that come from one of the segments, by their slopes."""
+    """Count the edges of a trajectory that come from one of the segments, by their slopes."""
     slopes = {Fraction(y1 - y0, x1 - x0) for x0, y0, x1, y1 in segments}
     return sum(
         Fraction(qy - py) / (qx - px) in slopes

@@ -1,4 +1,4 @@
-"""Misprints, each with a case in which the printed and the intended statement differ."""
+"""Misprints, each with a case that separates the printed from the intended statement."""
 
 from __future__ import annotations
 
@@ -44,13 +44,13 @@ def output_is_closed(pair: SweepPair) -> Iterator[str]:
     found = keep_corners(trajectory_cc(pair.chains.top, pair.chains.directrix))
     whole = look_up(pair).trajectory
     if len(found) - 1 != len(whole):
-        yield f"a chain of {len(found) - 1} edges is returned; T(G, D) has {len(whole)}"
+        yield f"it returns a chain of {len(found) - 1} edges; T(G, D) has {len(whole)}"
 
 
 def inner_is_ready_before(pair: SweepPair) -> Iterator[str]:
     """Before step 3 of SweepI_CM the list L is the inner boundary."""
     if look_up_bottom(pair, "inner") != take_bottom(pair.directrix):
-        yield "after step 2 the list L is still D_b, and not the inner boundary"
+        yield "after step 2, the list L is still D_b, not the inner boundary"
 
 
 def step_3(pair: SweepPair) -> int:
@@ -62,29 +62,29 @@ def step_3(pair: SweepPair) -> int:
 def boundary_is_trajectory(pair: SweepPair) -> Iterator[str]:
     """The partial outer boundary is a trajectory."""
     if look_up_bottom(pair, "outer") != look_up_bottom(pair, "trajectory"):
-        yield "S_1, an outer boundary, is not where a point of G goes"
+        yield "S_1, an outer boundary, is not the path of a point of G"
 
 
 def find_loops_apart(effort: Effort) -> Iterator[Observation]:
-    """Look for two pairs with one G_t and one D_b, and two outer loops."""
+    """Search for two pairs with equal G_t and D_b, but different outer loops."""
     first: dict[tuple[tuple[Vertex, ...], ...], SweepPair] = {}
 
     def fails(pair: SweepPair) -> Iterator[str]:
         top, _, directrix = pair.chains
         known = first.setdefault((tuple(top), tuple(directrix)), pair)
         if look_up(known).outer != look_up(pair).outer:
-            yield f"G = {known[0]} and D = {known[1]} have them, too, and other loops"
+            yield f"G = {known[0]} and D = {known[1]} have the same G_t and D_b, but other loops"
 
     yield search_grid(2, 7, "any", "any", fails)
 
 
 def generatrix_sweeps_again(pair: SweepPair) -> Iterator[str]:
-    """T(G_b, T(G_t, D_b)) is the outer boundary, wherever it lies."""
+    """T(G_b, T(G_t, D_b)) is a translate of the outer boundary."""
     bottom = pair.chains.bottom
     path = find_trajectory(pair.chains)
     found = keep_corners(find_trajectory(Chains(bottom[::-1], [], path)))
     if _shape(found) != _shape(look_up_bottom(pair, "outer")):
-        yield f"T(G_b, T(G_t, D_b)) is {write_chain(found)}, and not the outer boundary, moved"
+        yield f"T(G_b, T(G_t, D_b)) is {write_chain(found)}, no translate of the outer boundary"
 
 
 def _shape(chain: Sequence[Vertex]) -> list[Vertex]:
@@ -97,18 +97,18 @@ def parts_have_numbers(pair: SweepPair) -> Iterator[str]:
     top, _, directrix = pair.chains
     parts, others = len(find_convex_parts(directrix)), len(find_convex_parts(inverse(top)))
     if parts > others:
-        yield f"D_b has {parts} convex parts, G_t {others}: no G_2"
+        yield f"D_b has {parts} convex parts, but G_t has {others}: there is no G_2"
 
 
 def output_has_mn_vertices(pair: SweepPair) -> Iterator[str]:
     """Trajectory and outer loop together have mn vertices."""
     (n, m), loops = map(len, pair), look_up(pair)
     if (size := len(loops.trajectory) + len(loops.outer)) != m * n:
-        yield f"{size} vertices are written for m = {m} and n = {n}"
+        yield f"the output has {size} vertices for m = {m} and n = {n}"
 
 
 def calls(pair: SweepPair) -> tuple[int, float]:
-    """Count the operations of all calls of Trajectory_CC and the edges of the trajectory."""
+    """Count the operations of all calls of Trajectory_CC, and the edges of the trajectory."""
     chains = count_chains(pair)
     edges = len(keep_corners(trajectory_cm(*chains[::2]))) - 1
     with watch_operations() as tally:
@@ -118,12 +118,12 @@ def calls(pair: SweepPair) -> tuple[int, float]:
 
 
 def count_calls(effort: Effort) -> Iterator[Observation]:
-    """Count the operations of all calls of Trajectory_CC, which outgrow the trajectory."""
+    """Show that the operations of all calls of Trajectory_CC outgrow the trajectory."""
     (growth,) = count_all("Corollary 4.3 cited for a time", effort)
     last = growth.points[-1]
-    yield Evidence("Counts.", growth=(growth,))
+    yield Evidence("Operations are counted.", growth=(growth,))
     yield Counterexample(
-        f"for m = {last.m} and n = {last.n} the calls take {last.count:,} operations, and the "
+        f"for m = {last.m} and n = {last.n}, the calls take {last.count:,} operations, but the "
         f"trajectory has {last.bound:.0f} edges: its size does not bound the time",
         "a G wider than D, at the largest counted size",
     )

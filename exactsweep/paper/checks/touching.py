@@ -1,4 +1,4 @@
-"""The contacts of a sweep, compared with a test of every pair of features."""
+"""The contacts of a sweep, compared with a test of all pairs of features."""
 
 from __future__ import annotations
 
@@ -12,16 +12,16 @@ from exactsweep.geometry.outline import number_features
 from exactsweep.geometry.region import AnyPolygon
 from exactsweep.geometry.vectors import is_on_segment
 from exactsweep.numbers.number import Vertex
-from exactsweep.paper.functions import list_edges, tell_loops
+from exactsweep.paper.functions import compare_loops, list_edges
 
 _Bounded = tuple[str, int, list[tuple[int, int]]]
-"""A vertex or an edge, "V" or "E", with its number and its ends."""
+"""A vertex or an edge: "V" or "E", its number and its ends."""
 
 
 def contacts_are_right(s: Sweep) -> Iterator[str]:
-    """Report contacts that are listed but absent, or missing from the list."""
+    """Report missing and superfluous contacts of a sweep."""
     g, d = s.generatrix, s.directrix
-    yield from tell_loops(s, "trajectory")
+    yield from compare_loops(s, "trajectory")
     for k, (start, end) in enumerate(list_edges(s.trajectory.vertices)):
         now = {c for t in list_moments(s, start, end) for c in list_lasting(g, d, t)}
         for t, listed, expected in (
@@ -34,13 +34,13 @@ def contacts_are_right(s: Sweep) -> Iterator[str]:
 
 
 def touches_are_right(s: Sweep, step: Step) -> Iterator[str]:
-    """Report contacts of a step that do not last from their start to their end."""
+    """Report contacts of a step whose start or end is wrong."""
     for t in list_moments(s, step.start, step.end):
         now = sorted(touch.contact for touch in step.touches if lasts(t, touch.start, touch.end))
         if now != (expected := list_lasting(s.generatrix, s.directrix, t)):
-            yield f"at ({t.x}, {t.y}) these contacts last: {now}, and not {expected}"
+            yield f"at ({t.x}, {t.y}) the lasting contacts are {now}, not {expected}"
         if not now or any(event == "VV" for event, _, _ in now):
-            yield f"at ({t.x}, {t.y}), on an edge of the trajectory, these contacts last: {now}"
+            yield f"at ({t.x}, {t.y}), on an edge of the trajectory, the lasting contacts are {now}"
 
 
 def lasts(t: Point, start: Point, end: Point) -> bool:
@@ -49,7 +49,7 @@ def lasts(t: Point, start: Point, end: Point) -> bool:
 
 
 def list_moments(s: Sweep, start: Point, end: Point) -> list[Point]:
-    """List positions along an edge of the trajectory, with all kinds of contact.
+    """List positions along an edge of the trajectory, one in each interval of constant contact.
 
     A contact begins or ends only where a vertex of G is on one of D.
     """
@@ -89,7 +89,7 @@ def list_touching(g: AnyPolygon, d: AnyPolygon, t: Point) -> list[tuple[str, int
 
 
 def _touch(e: Sequence[Vertex], f: Sequence[Vertex]) -> bool:
-    """Decide whether two features share a piece, or a point that is not an end of an edge."""
+    """Decide whether two features share a segment, or a point that is not an end of an edge."""
     low, high = max(e[0], f[0]), min(e[1], f[1])
     inside = low == high and all(p == q or low not in (p, q) for p, q in (e, f))
     is_met = low < high or inside

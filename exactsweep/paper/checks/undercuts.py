@@ -1,4 +1,4 @@
-"""Section 5: number and length of undercuts of an MM sweep, and the size of the inner loop."""
+"""Section 5: number and size of the undercuts of an MM sweep, and size of the inner loop."""
 
 from __future__ import annotations
 
@@ -28,19 +28,19 @@ from exactsweep.procedures.pockets import find_pockets
 
 
 def find_long_undercut(effort: Effort) -> Iterator[Observation]:
-    """Look for an undercut with more edges than G_t, and count the edges over needles."""
-    yield Evidence("A family of needles, one of them proved by its certificate.")
+    """Search for an undercut with more edges than G_t, and count the edges over needles."""
+    yield Evidence("A family of needles; a certificate proves one pair.")
     yield from prove(SweepPair(*needles(10, 8)))
     for growth in count_all("Lemma 5.5", effort):
         yield growth
         for m, n, count, _ in map(astuple, growth.points):
             if count - 1 < edges_over_needles(m, n):
-                yield f"{count - 1} edges for ({m}, {n}) are fewer than proved"
+                yield f"{count - 1} edges for ({m}, {n}), fewer than proved"
     for n in (10, 20, 30):
-        # The only undercut between two needles has as many edges as the proof says.
+        # The only undercut between two needles has at least the proved number of edges.
         longest, least = find_longest(SweepPair(*needles(7, n))), edges_over_needles(7, n)
         if longest < least:
-            yield f"an undercut of {longest} edges for n = {n}, not {least}"
+            yield f"an undercut of {longest} edges for n = {n}, at least {least} proved"
 
 
 def find_longest(pair: SweepPair) -> int:
@@ -49,27 +49,27 @@ def find_longest(pair: SweepPair) -> int:
 
 
 def long_undercut(pair: SweepPair) -> Iterator[str]:
-    """Find an undercut whose bottom chain has more edges than G_t."""
+    """Report an undercut whose bottom chain has more edges than G_t."""
     longest, most = find_longest(pair), len(pair.chains.top) - 1
     if longest > most:
-        yield f"an undercut of {longest} edges, G_t having {most}"
+        yield f"an undercut has {longest} edges, G_t has {most}"
 
 
 def prove(pair: SweepPair) -> Iterator[str]:
-    """Compare one pair with the definition, and prove its certificate."""
+    """Compare a pair with the definition, and verify its certificate."""
     yield from undercuts_fill_the_inner_loop(pair)
     verdict = verify(sweep(*pair).certificate())
     yield "" if verdict.proved else verdict.reason
 
 
 def undercuts_are_closed(pair: SweepPair) -> Iterator[str]:
-    """At its positions and between consecutive ones, G draws all of a bottom chain."""
+    """At and between its positions, G draws the whole bottom chain of an undercut."""
     s = sweep(*pair)
     for undercut in s.undercuts:
         drawn = list(map(make_segment, _list_drawn(s, undercut.positions)))
         for start, end in pairwise(undercut.bottom):
             if not covers(drawn, (start, end)):
-                yield f"an undercut from ({start.x}, {start.y}) to ({end.x}, {end.y}) is left open"
+                yield f"an undercut is open from ({start.x}, {start.y}) to ({end.x}, {end.y})"
 
 
 def _list_drawn(s: Sweep, positions: Sequence[Point]) -> list[tuple[Point, Point]]:
@@ -87,7 +87,7 @@ def _list_drawn(s: Sweep, positions: Sequence[Point]) -> list[tuple[Point, Point
 
 
 def pockets(pair: SweepPair) -> int:
-    """Count the undercuts of the lower sweep, with a lid above both chains."""
+    """Count the undercuts of the lower sweep, closing both chains with a lid."""
     inner, directrix = sweep_mm(*pair.chains)[0], pair.chains.directrix
     above = 1 + max(y for _, y in directrix)
     lid = [(directrix[-1][0] + 1, above), (directrix[0][0] - 1, above)]
@@ -95,7 +95,7 @@ def pockets(pair: SweepPair) -> int:
 
 
 def count_undercuts(effort: Effort) -> Iterator[Observation]:
-    """Count the undercuts under ceilings; those of small pairs are proved by certificates."""
+    """Count the undercuts under ceilings, and verify certificates of small pairs."""
     small = [(7, 8)] if effort.quick else [(7, 8), (10, 12), (13, 16)]
     tried = ", ".join(map(str, small))
     yield Evidence(f"A family of ceilings. Certificates prove the pairs of {tried}.")
@@ -109,17 +109,17 @@ def count_undercuts(effort: Effort) -> Iterator[Observation]:
             rows.append([*(f"{x:,}" for x in (m, n, m * n, count, expected))])
             rows[-1].append(f"{count / (m * n * n):.4f}")
             if count != expected:
-                yield f"{count} undercuts for ({m}, {n}) are not as many as proved"
+                yield f"{count} undercuts for ({m}, {n}), {expected} proved"
     pair = SweepPair(*ceilings(7, 8))
     yield Counterexample(
-        f"{len(lower_undercuts(sweep(*pair)))} disjoint undercuts of the lower sweep; D_b has "
+        f"the lower sweep has {len(lower_undercuts(sweep(*pair)))} disjoint undercuts; D_b has "
         f"{len(pair.chains.directrix)} vertices",
-        "the least of the family of ceilings",
+        "the smallest of the family of ceilings",
         *pair,
     )
     yield Table(
-        "Undercuts of the lower sweep under ceilings: counted, and (N - 1)(P(P - 1) + 1), where "
+        "Undercuts of the lower sweep under ceilings: counted, and (N - 1)(P(P - 1) + 1) with "
         "m = 3N + 1 and n = 2P + 2",
-        ("m", "n", "mn", "counted", "by the proof", "counted / mn²"),
+        ("m", "n", "mn", "counted", "proved", "counted / mn²"),
         rows,
     )

@@ -13,8 +13,8 @@ def compute() -> PaperFigure:
     """Compute the figure."""
     s = sweep_example()
     half = take_half(s)
-    # Taken literally, the definition of the inner boundary extends it beyond both ends of D: it is
-    # the top chain of all that G passes over in the lower sweep.
+    # As defined, the inner boundary is the top chain of the area covered in the lower sweep, which
+    # extends beyond both ends of D.
     top, path = find_inner(half), find_trajectory(half)
     inner, outer = sweep_mm(*half)
     start, stop = (Point(x + s.reference.x, y + s.reference.y) for x, y in (path[0], path[-1]))

@@ -12,7 +12,7 @@ from exactsweep.sweep import sweep
 
 M, N = 7, 8
 CEILING = 8
-# The first inner valley of G_t, which is at 9, holds the left needle, whose tip is the origin.
+# With G at PLACE, the left needle, whose tip is the origin, is in the first inner valley of G_t.
 PLACE = Point(Fraction(-9), Fraction(0))
 
 
@@ -20,7 +20,7 @@ def compute() -> PaperFigure:
     """Compute the figure."""
     s = sweep(*ceilings(M, N))
     lower = sorted(lower_undercuts(s), key=lambda u: u.bottom[0])
-    # The places between two undercuts, where G touches the ceiling.
+    # The points between two undercuts, at which G touches the ceiling.
     touched = [undercut.bottom[-1] for undercut in lower[:-1]]
     return PaperFigure(
         facts=[

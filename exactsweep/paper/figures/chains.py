@@ -12,7 +12,7 @@ from exactsweep.paper.figures.minkowski import DIRECTRIX, GENERATRIX
 from exactsweep.paper.functions import sample_between
 from exactsweep.procedures.chain import split
 
-# D of Figure 1, and its G twice as large.
+# D of Figure 1, and G of Figure 1 at twice its size.
 POLYGONS = {"D": DIRECTRIX, "G": [(2 * x, 2 * y) for x, y in GENERATRIX]}
 
 

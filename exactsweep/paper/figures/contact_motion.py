@@ -1,4 +1,4 @@
-"""Figure 13: the contact moves to the right only."""
+"""Figure 13: the contact only moves to the right."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from exactsweep.sweep import Sweep
 
 
 class Frozen(NamedTuple):
-    """A position of G, and the leftmost and the rightmost point of contact there."""
+    """A position of G with its leftmost and its rightmost point of contact."""
 
     at: Point
     left: Point
@@ -30,7 +30,7 @@ def _freeze(s: Sweep, contacts: tuple[Contact, ...], at: Point) -> Frozen:
 def compute() -> PaperFigure:
     """Compute the figure: the lower sweep of Figure 7b, stopped where G closes the undercut."""
     s = sweep_examples()[1]
-    # The ends of the contact at both ends of each segment.
+    # The extreme contacts at both ends of each segment.
     path = [
         _freeze(s, segment.contacts, at)
         for segment in cut_trajectory(s)
@@ -46,7 +46,7 @@ def compute() -> PaperFigure:
     travelled, wide = path[-1].at.x - first, s.directrix.bounding_box[1].x
     low, high = min(y for _, y in ring) - 1, s.directrix.bounding_box[1].y
     edge = min(x for x, _ in ring) - 2
-    # The ray up from p_l, the chain of G_t from there to v_l, and the ray down from v_l.
+    # The ray up from p_l, the part of G_t from p_l to v_l, and the ray down from v_l.
     passed = [p for p in split(ring)[1] if p[0] < found.left.x]
     border = [(found.left.x, high), found.left, *passed, (passed[-1][0], low)]
     middle = (one.x + other.x) / 2 - first
@@ -55,12 +55,12 @@ def compute() -> PaperFigure:
         facts=[
             ("p_l and p_r at the position drawn", ends),
             ("positions compared", len(path)),
-            ("p_l goes from, to", f"{lefts[0]}, {lefts[-1]}"),
-            ("p_r goes from, to", f"{rights[0]}, {rights[-1]}"),
+            ("p_l moves from, to", f"{lefts[0]}, {lefts[-1]}"),
+            ("p_r moves from, to", f"{rights[0]}, {rights[-1]}"),
         ],
         laws=[
-            ("the left end moves to the right only", lefts, sorted(lefts)),
-            ("the right end moves to the right only", rights, sorted(rights)),
+            ("the left end only moves right", lefts, sorted(lefts)),
+            ("the right end only moves right", rights, sorted(rights)),
         ],
         shapes={"placed": ring, "first": min(ring), "name": find_middle(min(ring), max(ring))}
         | {"bottom": take_half(s).directrix, "border": border, "frame": [(edge, low), (edge, high)]}

@@ -1,9 +1,9 @@
-"""The drawer of all figures: `drawings.toml` lists what to draw, the figure computes the shapes.
+"""Drawing of figures: `drawings.toml` lists what to draw, the figure's module computes the shapes.
 
-A panel lists instructions, each a method of `PanelDrawer` with its arguments. A shape is a name,
+A panel is a list of instructions: a method of `PanelDrawer` and its arguments. A shape is a name,
 such as "outer", "outer.3" for its vertex 3, or "outer/3" for the middle of its edge 3; or it is a
-point or a chain, written out. In panel a, a name means the figure's shape "a_name" if that exists.
-"=" starts the name of computed words. A look is an entry of `looks`, or a name of the style.
+literal point or chain. In panel a, the shape "a_name" overrides "name". "=" precedes the name of
+computed words. A look is an entry of `looks`, or a name of the style.
 """
 
 from __future__ import annotations
@@ -37,7 +37,7 @@ def _load() -> dict[str, Any]:
 
 
 def find_look(name: str) -> Look:
-    """Find a look by its name, in drawings.toml or the style."""
+    """Find a look by name, in drawings.toml or in the style."""
     if name not in _load()["looks"]:
         found: Look = getattr(style, name)
         return found
@@ -85,7 +85,7 @@ class PanelDrawer:
         self.instructions = instructions
 
     def frame(self, entry: Mapping[str, Any]) -> Extent:
-        """Frame the panel around some shapes, with a title and margins."""
+        """Return the extent of the panel, with title and margins."""
         points = chain.from_iterable(map(self._points, entry["around"]))
         (title,) = self._words(entry.get("title", ""))
         return Extent.around(points, title, entry.get("margins", (4, 4, 4, 4)))
@@ -141,11 +141,10 @@ class PanelDrawer:
         dy: float = 0,
         how: Mapping[str, Any] | None = None,
     ) -> None:
-        """Write words near one or more places; "=" stands for those of the figure.
+        """Write words next to one or more points; "=" precedes the name of computed words.
 
-        `dx` and `dy` are distances to the right and upwards, or the name of a shape with vectors.
-        `how` has "ha" and "va", the alignment; "leader", whether a thin line leads to the place;
-        "small" letters.
+        `dx` and `dy` are offsets to the right and upward, or `dx` names a shape with vectors. `how`
+        has "ha" and "va" for the alignment, "leader" for a line to the point, and "small".
         """
         from matplotlib.patheffects import withStroke
 

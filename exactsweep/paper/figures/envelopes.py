@@ -1,4 +1,4 @@
-"""Figure 6: a CM sweep from the CC sweeps of D's convex chains."""
+"""Figure 6: a CM sweep composed of the CC sweeps along the convex parts of D."""
 
 from __future__ import annotations
 
@@ -37,7 +37,7 @@ def compute() -> PaperFigure:
     meeting = s.undercuts[0].positions[:1]
     return PaperFigure(
         facts=[
-            ("convex chains of D_b", len(parts)),
+            ("convex parts of D_b", len(parts)),
             ("their edges", write_list(len(part) - 1 for part in parts)),
             ("edges of the sub-trajectories", write_list(len(p) - 1 for p in paths)),
             ("edges of the trajectory", len(path) - 1),
@@ -54,7 +54,7 @@ def compute() -> PaperFigure:
         ],
         shapes={"top": split(s.directrix.vertices)[1], "bottom": chain, "parts": parts}
         | {"paths": paths, "outers": outers, "path": path, "lower": outer}
-        | {"beside": shift(s.generatrix.vertices, (-5, 0)), "meeting": meeting}
+        | {"detached": shift(s.generatrix.vertices, (-5, 0)), "meeting": meeting}
         | {"ends": [(x, 0) for x, _ in (outer[0], outer[-1])]}
         | {"below": (chain[3][0] - 2, min(y for _, y in outer))},
         sweeps=[(s, meeting)],

@@ -1,6 +1,6 @@
-"""A figure of the paper as a value: its statements, its laws, and the shapes that it shows.
+"""A figure of the paper as a value: its statements, its laws, and its shapes.
 
-Each module of a figure has a function `compute`, which returns a PaperFigure.
+Each figure's module has a function `compute`, which returns a PaperFigure.
 """
 
 from __future__ import annotations
@@ -14,22 +14,22 @@ from exactsweep.check import classify
 from exactsweep.draw import place_generatrix
 from exactsweep.numbers.number import Loop, Point, Vertex
 from exactsweep.paper.claim import Observation, Table
-from exactsweep.paper.functions import tell_loops
+from exactsweep.paper.functions import compare_loops
 from exactsweep.paper.pairs import Chains
 from exactsweep.procedures.chain import split
 from exactsweep.sweep import Sweep
 
 
 class PaperFigure(NamedTuple):
-    """A figure of the paper, computed.
+    """A computed figure of the paper.
 
     Attributes:
-        facts: the figure's statements, pairs of a name and a value.
+        facts: the figure's statements, as pairs of a name and a value.
         laws: triples of a name, a value, and the value by the definition or another method.
-        shapes: points, chains and lists of chains by name; "a_name" belongs to panel a alone. Those
-            of `sweeps` need not be named.
-        words: computed words of titles and labels, likewise.
-        sweeps: the drawn sweeps, each with the positions in which G is drawn.
+        shapes: points, chains and lists of chains by name, in addition to those of `sweeps`; the
+            name "a_name" is for panel a only.
+        words: computed titles and labels, named like shapes.
+        sweeps: the drawn sweeps, each with the drawn positions of G.
     """
 
     facts: Sequence[tuple[str, object]] = ()
@@ -39,7 +39,7 @@ class PaperFigure(NamedTuple):
     sweeps: Sequence[tuple[Sweep, Sequence[Point]]] = ()
 
     def list_shapes(self) -> dict[str, Any]:
-        """List all shapes by name, with D, G, the loops and the undercuts of the sweeps."""
+        """Return all shapes by name, including D, G, the loops and the undercuts of the sweeps."""
         shapes: dict[str, Any] = {}
         for s, positions in self.sweeps:
             for name in ("directrix", "trajectory", "inner", "outer"):
@@ -49,9 +49,9 @@ class PaperFigure(NamedTuple):
         return {**shapes, **self.shapes}
 
     def find_failures(self) -> Iterator[str]:
-        """Describe the laws that fail, loops that are wrong, and positions without contact."""
+        """Report laws that fail, loops that are wrong, and positions without contact."""
         for s, positions in self.sweeps:
-            yield from tell_loops(s)
+            yield from compare_loops(s)
             yield from _compare_positions(s, positions)
         for name, found, expected in self.laws:
             if found != expected:
@@ -59,7 +59,7 @@ class PaperFigure(NamedTuple):
 
 
 def join_panels(panels: Mapping[str, PaperFigure]) -> PaperFigure:
-    """Join panels by their letters. Names of the key "" are unchanged."""
+    """Join panels by their letters; the names of the key "" stay unchanged."""
     shapes: dict[str, Any] = {}
     words: dict[str, Sequence[str]] = {}
     for letter, panel in panels.items():
@@ -74,15 +74,15 @@ def join_panels(panels: Mapping[str, PaperFigure]) -> PaperFigure:
 
 
 def load(name: str) -> PaperFigure:
-    """Compute the figure of a module of this folder."""
+    """Import a figure's module and compute the figure."""
     return cast(PaperFigure, import_module(f"exactsweep.paper.figures.{name}").compute())
 
 
 def check_figure(name: str) -> Iterator[Observation]:
-    """Compare a figure's statement with another way to derive it."""
+    """Compare a figure's statements with the results of other methods."""
     figure = load(name)
     rows = [[what, str(value)] for what, value in figure.facts]
-    yield Table("What the figure states", ("what", "value"), rows)
+    yield Table("The statements of the figure", ("what", "value"), rows)
     yield from figure.find_failures()
 
 
@@ -91,7 +91,7 @@ def _compare_positions(s: Sweep, positions: Iterable[Vertex]) -> Iterator[str]:
         t = x - s.reference.x, y - s.reference.y
         found = classify(s.directrix, s.generatrix, t).verdict
         if found != "CONTACT":
-            yield f"at ({x}, {y}) G is {found}"
+            yield f"at ({x}, {y}) the verdict on G is {found}"
 
 
 def take_half(s: Sweep) -> Chains:
@@ -106,15 +106,15 @@ def place(s: Sweep, positions: Iterable[Point]) -> list[Loop]:
 
 
 def write_list(values: Iterable[object]) -> str:
-    """Write values on one line."""
+    """Join values with commas."""
     return ", ".join(map(str, values))
 
 
 def find_middle(p: Vertex, q: Vertex, *, share: Fraction = Fraction(1, 2)) -> Point:
-    """Find a point of the segment p q, by default the middle."""
+    """Return the point of a segment at a share of its length, by default the middle."""
     return Point(p[0] + share * (q[0] - p[0]), p[1] + share * (q[1] - p[1]))
 
 
 def shift(points: Iterable[Vertex], by: Vertex) -> list[Vertex]:
-    """Move points by a vector."""
+    """Translate points by a vector."""
     return [(x + by[0], y + by[1]) for x, y in points]

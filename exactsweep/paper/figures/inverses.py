@@ -14,7 +14,7 @@ def compute() -> PaperFigure:
     s = sweep_example()
     inverted = invert_generatrix(s)
     outside = no_fit_polygon(s.trajectory, inverted).exterior
-    # I(G) is drawn at vertices of the loop that it retraces.
+    # I(G) is drawn at these vertices of the loop that it retraces.
     places = {
         "a": [s.inner.vertices[k] for k in (0, 2, 4, 7)],
         "b": [s.outer.vertices[k] for k in (0, 4, 12, 20)],
@@ -32,7 +32,7 @@ def compute() -> PaperFigure:
         ],
         laws=[
             ("the loop outside is the outer one", outside == s.outer, True),
-            ("verdicts on I(G) and the outside at the inner vertices", {*inside}, {"CONTACT"}),
+            ("verdicts on I(G) and the exterior at the inner vertices", {*inside}, {"CONTACT"}),
         ],
         shapes={"widest": turned["b"]},
         sweeps=[(s, [])],

@@ -1,4 +1,4 @@
-"""Figure 9: the distance of the two loops along an edge of the trajectory."""
+"""Figure 9: the distance of the two loops across an edge of the trajectory."""
 
 from __future__ import annotations
 
@@ -21,13 +21,13 @@ NINTHS = (Fraction(-1, 9), Fraction(0), Fraction(1, 9))
 
 
 class Widths(NamedTuple):
-    """The edge e of the trajectory, a point of it, and the distances of Figure 9.
+    """An edge e of the trajectory, a point on it, and the distances of Figure 9.
 
     Attributes:
         direction: the unit vector of e.
-        at: the place where I(G) touches e from both sides.
-        inside: I(g) when I(G) is on the inner side of e; `outside` on the outer side.
-        inner, outer: their distances from e, d' and d''.
+        at: the point where I(G) touches e from both sides.
+        inside: I(g) with I(G) on the inner side of e; `outside` with I(G) on the outer side.
+        inner, outer: their distances d' and d'' from e.
         width: the width of G perpendicular to e.
     """
 
@@ -42,7 +42,7 @@ class Widths(NamedTuple):
     width: Fraction
 
     def go(self, start: Vertex, along: Fraction, across: Fraction = Fraction(0)) -> Point:
-        """Find a point by its distances from another one, along e and to the left of e."""
+        """Return the point at given distances from another one, along e and to its left."""
         dx, dy = self.direction
         return Point(start[0] + along * dx - across * dy, start[1] + along * dy + across * dx)
 
@@ -51,15 +51,15 @@ class Widths(NamedTuple):
         return shift(invert_generatrix(self.sweep).vertices, p)
 
     def find_foot(self, p: Point) -> Point:
-        """Find the foot of the perpendicular from a point to e."""
+        """Return the foot of the perpendicular from a point to e."""
         (dx, dy), (x, y) = self.direction, self.at
         return self.go(self.at, Fraction((p.x - x) * dx + (p.y - y) * dy))
 
 
 def _measure(s: Sweep) -> Iterator[Widths]:
-    """Measure at the middles of the edges of the lower half that have a rational length.
+    """Yield the widths at the middles of those edges of the lower half with rational length.
 
-    An edge is skipped if no vertex of I(G) is on a loop, from the inside or the outside.
+    Edges are skipped if no vertex of I(G), placed inside or outside, is on the loop.
     """
     turned = invert_generatrix(s).vertices
     for p, q in pairwise(s.trajectory.vertices):
@@ -80,7 +80,7 @@ def _measure(s: Sweep) -> Iterator[Widths]:
 
 
 def measure_widths() -> tuple[Widths, Widths]:
-    """Measure at the longest such edge of Figure 1's pair, and for a counterexample."""
+    """Return widths for the longest edge of Figure 1's pair, and for a counterexample."""
     g, d = ([(x * THIRD, y * THIRD) for x, y in ring] for ring in NARROW)
     return (
         max(_measure(sweep_example()), key=lambda found: found.length),
@@ -103,7 +103,7 @@ def _show(letter: str, found: Widths, across: Sequence[Point], share: Fraction) 
         shapes={"placed": [found.turn_at(p) for p in (found.inside, found.outside)], "at": found.at}
         | {"inside": found.inside, "near": [found.inside, found.find_foot(found.inside)]}
         | {"outside": found.outside, "far": [found.outside, found.find_foot(found.outside)]}
-        | {"across": across, "beside": find_middle(*across, share=share)},
+        | {"across": across, "measure": find_middle(*across, share=share)},
         words=dict(zip(("inner", "outer", "width"), written, strict=True)),
         sweeps=[(s, [])],
     )

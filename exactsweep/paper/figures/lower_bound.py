@@ -1,4 +1,4 @@
-"""Figure 10: sweeps whose outer boundary has a number of edges of order m n^2."""
+"""Figure 10: sweeps whose outer boundary has order mn² edges."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ from exactsweep.paper.functions import take_bottom
 from exactsweep.paper.kernel import sweep_mm
 from exactsweep.sweep import Sweep, sweep
 
-# Two peaks above a round tip of four edges between steep flanks, in units of 1/4 and 1/20.
+# Two peaks, and a round tip of four edges between steep flanks, in units of 1/4 and 1/20.
 PEAKS = [(80, 0), (60, 80), (40, 0), (20, 80), (0, 0)]
 TIP = [(25, -120), (33, -135), (40, -142), (47, -135), (55, -120)]
 SIZES = ((2, 4, 6), (4, 4, 6), (4, 6, 8), (6, 6, 6), (6, 8, 8))
@@ -35,21 +35,21 @@ def sweep_example(teeth: int) -> Sweep:
 
 
 def _place_numbers(edges: Sequence[Edge]) -> Iterator[Vertex]:
-    """Return the offset of each edge's number: below, but above where the chain turns right."""
+    """Yield the offset of each edge's number: below, or above where the chain turns right."""
     vectors = [(Fraction(q[0] - p[0]), Fraction(q[1] - p[1])) for p, q in edges]
     right = [dx * ny < dy * nx for (dx, dy), (nx, ny) in pairwise(vectors)]
     for k, (dx, dy) in enumerate(vectors):
         if any(right[max(k - 1, 0) : k + 1]):
             yield (-5 if dy > 0 else 5), 8
         else:
-            # Numbers of two digits on neighbouring short edges stand on two levels.
+            # Two-digit numbers of adjacent short edges alternate between two levels.
             yield 7 * dy / (dx + abs(dy)), -14 if k >= 9 and k % 2 and dx < 3 else -7
 
 
 def _show(letter: str, s: Sweep) -> PaperFigure:
     size, lower = sizes_of(take_half(s)), take_bottom(s.outer.vertices)
     edges = list(pairwise(lower))
-    # G is drawn where a peak of it is under a tooth.
+    # G is drawn with one of its peaks under a tooth.
     at = min(s.trajectory.vertices, key=lambda p: (p.y, p.x))
     return PaperFigure(
         facts=[(f"({letter}) (m_b, n_t, n_b): edges", f"{size}: {len(edges)}")],

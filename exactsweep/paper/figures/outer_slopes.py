@@ -1,4 +1,4 @@
-"""Figure 5: the outer boundary of a CC sweep in order of slope."""
+"""Figure 5: the outer boundary of a CC sweep, in order of slope."""
 
 from __future__ import annotations
 
@@ -31,11 +31,11 @@ def compute() -> PaperFigure:
         [move for move in edges["G_b"] if before.slope < move.slope < after.slope]
         for before, after in pairwise(sides)
     ]
-    # The vertex of the trajectory between whose edges most edges of G_b fall.
+    # The vertex of the trajectory with the most edges of G_b between the slopes of its two edges.
     turn = max(range(1, len(sides)), key=lambda k: len(between[k - 1]))
     (x, y), first, last = half.directrix[0], half.bottom[0], half.top[0]
     outer = lay((x + first[0] - last[0], y + first[1] - last[1]), order)
-    # The edges side by side, with gaps, each about the height 0.
+    # The edges separated by gaps, all centered at height 0.
     apart: list[Edge] = []
     start: Rational = 0
     for dx, dy in (move.by for move in order):

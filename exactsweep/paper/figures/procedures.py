@@ -1,4 +1,4 @@
-"""Figure 11: calls among procedures, as printed, and among functions of the kernel."""
+"""Figure 11: calls between the printed procedures, and between functions of the kernel."""
 
 from __future__ import annotations
 
@@ -25,13 +25,13 @@ _DATA = json.loads(
 PRINTED: list[tuple[str, str]] = [(one, other) for one, other in _DATA["printed"]]
 """The calls in the paper's text."""
 PLACES: dict[str, Vertex] = {name: (x, y) for name, (x, y) in _DATA["places"].items()}
-"""Middles of the boxes of the procedures, in points."""
+"""The centers of the procedures' boxes, in points."""
 KERNEL: dict[str, tuple[Callable[..., Any], Vertex]] = {
     name: (resolve_name(code), (x, y)) for name, (code, x, y) in _DATA["kernel"].items()
 }
-"""Functions of the kernel by their names, and the middles of their boxes."""
+"""The functions of the kernel by name, with the centers of their boxes."""
 MADE: list[tuple[str, str]] = [(one, other) for one, other in _DATA["made"]]
-"""The calls among these."""
+"""The calls between these functions."""
 HIGH = 16
 """The height of a box, in points."""
 
@@ -43,7 +43,7 @@ def _draw_call(places: Mapping[str, Vertex], one: str, other: str) -> tuple[Vert
 
 
 def watch_calls(words: Mapping[CodeType, str], *runs: Callable[[], object]) -> set[tuple[str, str]]:
-    """Record which of some functions call each other; other functions in between are ignored."""
+    """Record the calls between some functions, skipping other functions in between."""
     inside: list[str] = []
     found: set[tuple[str, str]] = set()
 
@@ -66,7 +66,7 @@ def watch_calls(words: Mapping[CodeType, str], *runs: Callable[[], object]) -> s
 
 
 def watch_kernel() -> set[tuple[str, str]]:
-    """List the calls that the kernel makes, for a pair of each class."""
+    """Record the calls in the kernel for a pair of each class."""
     words = {function.__code__: name for name, (function, _) in KERNEL.items()}
     example = SweepPair(GENERATRIX, DIRECTRIX)
     convex, toothed = SweepPair(*growing.cc(8, 8)), SweepPair(*growing.cm_undercut(16, 8))
@@ -109,7 +109,7 @@ def _rim(name: str, place: Vertex) -> list[Vertex]:
 
 
 def _leave(middle: Vertex, rim: list[Vertex], towards: Vertex) -> Vertex:
-    """Find where the line to another middle leaves a box."""
+    """Return the point where a box is left on the line to another center."""
     (x, y), (dx, dy) = middle, (towards[0] - middle[0], towards[1] - middle[1])
     wide, high = rim[2][0] - x, rim[2][1] - y
     share = min(abs(Fraction(size) / step) for size, step in ((wide, dx), (high, dy)) if step)

@@ -1,4 +1,4 @@
-"""Sheets of panels at the size of print, all drawn at one scale."""
+"""Sheets of panels at print size, all drawn at one scale."""
 
 from __future__ import annotations
 
@@ -12,8 +12,8 @@ from exactsweep.numbers.number import Vertex
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-# A column and a page of the journal are 84 and 174 mm wide, that is 3.1 and 6.6 inches and the 0.1
-# inches that saving adds on each side.
+# A column of the journal is 3.3 inches wide, a page 6.8 inches. Figures are 0.2 inches narrower,
+# since saving adds a margin of 0.1 inches on each side.
 FONT = 9.0
 _GAP = 10.0
 _POINTS = 72.0
@@ -22,7 +22,7 @@ _POINTS = 72.0
 class Extent(NamedTuple):
     """The frame of a panel: an exact rectangle from `low` to `high`, a title, and margins.
 
-    The margins are the room for labels to the left, below, to the right and above, in points.
+    The margins, in points, leave room for labels on the left, below, on the right and above.
     """
 
     low: Vertex
@@ -32,7 +32,7 @@ class Extent(NamedTuple):
 
     @classmethod
     def around(cls, points: Iterable[Vertex], title: str, margins: Sequence[float]) -> Self:
-        """Return the bounding box of some points."""
+        """Return the bounding box of some points as an extent."""
         xs, ys = zip(*points, strict=True)
         return cls((min(xs), min(ys)), (max(xs), max(ys)), title, margins)
 
@@ -42,7 +42,7 @@ class Extent(NamedTuple):
         return 12 if self.title else 0
 
     def measure(self, unit: float) -> tuple[float, float]:
-        """Return width and height with margins and title, in points; `unit` is one of the plane."""
+        """Return width and height in points, including margins and title, for a scale."""
         left, bottom, right, top = self.margins
         wide, high = (float(high - low) for low, high in zip(self.low, self.high, strict=True))
         return wide * unit + left + right, high * unit + bottom + top + self.title_height
@@ -54,14 +54,14 @@ def _find_unit(row: Sequence[Extent], across: float) -> float:
 
 
 def lay_out(rows: Sequence[Sequence[Extent]], inches: float) -> tuple[Figure, list[Picture]]:
-    """Make a figure of panels without axes, at the greatest scale at which all rows fit.
+    """Make a figure of panels without axes, at the largest scale at which all rows fit.
 
     Args:
         rows: the frames of the panels, row by row.
         inches: the width of the figure.
 
-    Returns the Figure of matplotlib, and a Picture for each frame, in order; raises DrawError if
-    matplotlib is missing.
+    Returns the matplotlib figure and a Picture for each frame; raises DrawError if matplotlib is
+    missing.
     """
     require_matplotlib()
     from matplotlib.figure import Figure
@@ -90,7 +90,7 @@ def lay_out(rows: Sequence[Sequence[Extent]], inches: float) -> tuple[Figure, li
 
 
 def _spread(row: Sequence[Extent], unit: float, across: float) -> Iterator[float]:
-    """Return the left ends of panels in a row, with equal gaps."""
+    """Yield the left ends of the panels in a row, with equal gaps."""
     widths = [box.measure(unit)[0] for box in row]
     gap = (across - sum(widths)) / (len(row) + 1)
     left = gap

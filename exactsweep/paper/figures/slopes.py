@@ -29,14 +29,14 @@ OWNERS = ("D_b", "G_t")
 
 
 class Move(NamedTuple):
-    """An edge along which G slides: its polygon, and the vector that it adds to the path."""
+    """An edge that G slides along, with its chain and its vector in the path."""
 
     owner: str
     by: Vertex
 
     @property
     def slope(self) -> Rational:
-        """Its slope."""
+        """The slope of the edge."""
         return Fraction(self.by[1]) / self.by[0]
 
 
@@ -56,23 +56,23 @@ def list_edges() -> dict[str, list[Move]]:
 
 
 def sort_by_slope(*owners: str) -> list[Move]:
-    """Sort the edges of some chains."""
+    """Sort the edges of some chains by slope."""
     found = list_edges()
     return sorted((move for owner in owners for move in found[owner]), key=lambda m: m.slope)
 
 
 def lay(start: Vertex, moves: Sequence[Move]) -> list[Point]:
-    """Lay edges end to end."""
+    """Join edges to a path."""
     return [Point(Fraction(x), Fraction(y)) for x, y in walk((m.by for m in moves), start)]
 
 
 def find_stations() -> list[Point]:
-    """Find the path of the right end of G, from the left end of D_b on, by Lemma 3.1."""
+    """Return the path of the right end of G, starting at the left end of D_b (Lemma 3.1)."""
     return lay(take_half(sweep_example()).directrix[0], sort_by_slope("D_b", "G_t"))
 
 
 def write_slope(move: Move) -> str:
-    """Write a slope, with a true minus sign."""
+    """Format a slope with a typographic minus sign."""
     return format_fraction(Fraction(move.slope)).replace("-", "\N{MINUS SIGN}")
 
 
@@ -92,7 +92,7 @@ def compute() -> PaperFigure:
 
 
 def _show(letter: str, s: Sweep, path: Sequence[Point], step: int) -> PaperFigure:
-    """Return the next edges of D_b and of reversed G_t, from the vertex of D_b under G's vertex."""
+    """Show one step: the next edges of D_b and of reversed G_t, at the vertex of contact."""
     taken, done = sort_by_slope("D_b", "G_t")[step], sort_by_slope("D_b", "G_t")[:step]
     ours, theirs = (
         next(move for move in list_edges()[owner] if move not in done) for owner in OWNERS

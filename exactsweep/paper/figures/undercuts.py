@@ -1,4 +1,4 @@
-"""Figure 7: the two kinds of undercut."""
+"""Figure 7: the two forms of undercuts."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ REFERENCES = ((5, -4), (6, -4))
 
 
 def sweep_examples() -> tuple[Sweep, Sweep]:
-    """Compute the two sweeps; the reference points are the lowest vertices of G."""
+    """Compute both sweeps; the reference points are the lowest vertices of G."""
     first, second = (
         sweep(g, DIRECTRIX, reference=r) for g, r in zip(GENERATRICES, REFERENCES, strict=True)
     )

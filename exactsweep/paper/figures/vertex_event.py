@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from fractions import Fraction
 
-from exactsweep.draw import ContactStretch, cut_trajectory
+from exactsweep.draw import ContactInterval, cut_trajectory
 from exactsweep.draw.features import SweepFeatures
 from exactsweep.numbers.number import Vertex
 from exactsweep.paper.figures.figure import PaperFigure, find_middle, join_panels, place, write_list
@@ -12,7 +12,7 @@ from exactsweep.paper.figures.undercuts import sweep_examples
 from exactsweep.sweep import Sweep
 
 OFFSETS = {"VE": (-10, 6), "EV": (4, -10)}
-"""Where the name of an event is written, in points from the contact."""
+"""Offsets of the names of events, in points from the contact."""
 
 
 def compute() -> PaperFigure:
@@ -32,7 +32,7 @@ def compute() -> PaperFigure:
         laws.append(("a VE event among several", "VE" in kinds, False))
     whole = PaperFigure(
         facts=[
-            ("stretches of the trajectory", len(every)),
+            ("contact intervals of the trajectory", len(every)),
             ("with a VE event", len(alone)),
             ("with a VE event and another one", sum(len(one.contacts) > 1 for one in alone)),
             ("with several events", len(several)),
@@ -43,13 +43,13 @@ def compute() -> PaperFigure:
     )
     panels = {"": whole}
     for letter, kind in (("a", ("VE", 1)), ("b", ("EV", 2))):
-        # The last such segment of the lower sweep.
+        # The last such interval of the lower sweep.
         found = (o for o in every if (o.event, len(o.contacts)) == kind and o.start.x < o.end.x)
         panels[letter] = _show(s, max(found, key=lambda one: one.start.x))
     return join_panels(panels)
 
 
-def _show(s: Sweep, segment: ContactStretch) -> PaperFigure:
+def _show(s: Sweep, segment: ContactInterval) -> PaperFigure:
     t = find_middle(segment.start, segment.end)
     (ring,) = place(s, [t])
     dx, dy = segment.end.x - segment.start.x, segment.end.y - segment.start.y
