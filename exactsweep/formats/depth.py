@@ -27,7 +27,8 @@ class Nested(NamedTuple):
     Attributes:
         outlines: one Candidate for each ring inside an even number of others, in order, with the
             rings just inside as holes. Outlines that are not simple polygons stay apart.
-        holes: pairs of an outline that became a hole and the outline around it.
+        holes: pairs of an outline that became a hole and the outline around it; an outline's own
+            holes are not among them.
         ambiguous: pairs of an outline and two crossing outlines around it, not among `outlines`.
     """
 
@@ -58,6 +59,12 @@ def nest_candidates(outlines: Sequence[Candidate]) -> list[Candidate]:
         for outline, around in found.ambiguous
     ]
     return [*found.outlines, *refused, *(outline for outline in outlines if outline.ornament)]
+
+
+def nest_lines(outlines: Sequence[Candidate]) -> list[Candidate]:
+    """Turn the outlines of one drawn shape into regions with holes; ambiguous ones stay apart."""
+    found = nest_outlines(outlines)
+    return [*found.outlines, *(outline for outline, _ in found.ambiguous)]
 
 
 def separate_holes(outline: Candidate) -> tuple[Region, list[Region]]:
@@ -152,7 +159,12 @@ def nest_outlines(outlines: Sequence[Candidate]) -> Nested:
     exteriors.sort()
     return Nested(
         [_join(rings, i, holes[i]) for i in exteriors],
-        [(rings[k].outline, rings[i].outline) for i in exteriors for k in holes[i]],
+        [
+            (rings[k].outline, rings[i].outline)
+            for i in exteriors
+            for k in holes[i]
+            if rings[k].owner is None
+        ],
         ambiguous,
     )
 

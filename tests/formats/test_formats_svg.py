@@ -8,7 +8,13 @@ from hypothesis import strategies as st
 from tiers import examples
 
 from exactsweep import Polygon
-from exactsweep.formats import FormatError, format_polygons, parse_polygon, parse_polygons
+from exactsweep.formats import (
+    FormatError,
+    format_polygons,
+    parse_polygon,
+    parse_polygons,
+    parse_regions,
+)
 from exactsweep.formats.polygons import read_choice
 
 fewer = examples(40)
@@ -132,3 +138,25 @@ def test_ornaments_are_reported_unless_the_shape_is_named(
     found = read_choice(f"{path}{choice}")
     assert [one.name for one in found] == ["tile"]
     assert len(found.left_out) == left_out
+
+
+BOX, SAME, OPPOSITE = "M0 0H9V9H0Z", "M1 1H3V3H1Z", "M1 1V3H3V1Z"
+
+
+def read_areas(body: str) -> list[Fraction]:
+    return sorted(one.region.area for one in parse_regions(svg(body)))
+
+
+@pytest.mark.parametrize("inner", [SAME, OPPOSITE])
+def test_lines_inside_an_unfilled_outline_are_holes_in_either_direction(inner: str) -> None:
+    assert read_areas(f'<path fill="none" stroke="red" d="{BOX}{inner}"/>') == [77]
+
+
+def test_filling_decides_by_the_direction_of_lines() -> None:
+    assert read_areas(f'<path d="{BOX}{SAME}"/>') == [81]
+    assert read_areas(f'<path d="{BOX}{OPPOSITE}"/>') == [77]
+
+
+def test_unfilled_outlines_that_cross_are_not_merged() -> None:
+    drawn = f'<path fill="none" stroke="red" d="{BOX}M5 5H12V12H5ZM6 6H7V7H6Z"/>'
+    assert read_areas(drawn) == [1, 49, 81]

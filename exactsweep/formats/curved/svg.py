@@ -24,6 +24,7 @@ from exactsweep.formats.curved.svg_placed import PlacedElement
 from exactsweep.formats.curved.svg_style import Style, find_link, name_kind
 from exactsweep.formats.curved.xml import line, parse_xml
 from exactsweep.formats.decimals import count_decimals, read_points
+from exactsweep.formats.depth import nest_lines
 from exactsweep.formats.error import FormatError, OrnamentError
 from exactsweep.formats.reading import Reading
 from exactsweep.formats.rounded import find_rounded
@@ -200,7 +201,12 @@ def _read(shape: PlacedElement, reading: Reading) -> list[Candidate | OpenLine]:
             closed += [path.closed() for path in opened if len(path.points) > 2 or path.curves]
             opened = [path for path in opened if len(path.points) == 2 and not path.curves]
         words = tuple(shape.element.get("class", "").split())
-        regions = _draw_regions(closed, shape, reading)
+        if is_filled(shape):
+            regions = _draw_regions(closed, shape, reading)
+        else:
+            # Lines alone have no fill: each is an outline, and those inside others are holes.
+            lines = [one for path in closed for one in _draw_regions([path], shape, reading)]
+            regions = nest_lines(lines) if len(lines) > 1 else lines
         drawn: list[Candidate | OpenLine] = [
             one._replace(words=words, groups=groups) for one in regions
         ]
