@@ -78,6 +78,8 @@ class Candidate(NamedTuple):
         finer: finds it with curves flattened at another tolerance, None if it cannot; or None.
         words: its classes, in SVG.
         groups: the ids of the groups around it, in SVG.
+        rounded: its hull and radius, if it is a disc, a slot or a rounded rectangle.
+        points: the vertices of open lines, if it has a fault.
     """
 
     place: str
@@ -94,6 +96,7 @@ class Candidate(NamedTuple):
     words: tuple[str, ...] = ()
     groups: tuple[str, ...] = ()
     rounded: RoundedOutline | None = None
+    points: tuple[Point, ...] = ()
 
     @classmethod
     def refused(

@@ -15,26 +15,43 @@ from exactsweep.words import count, suggest
 def keep_layers(outlines: Sequence[Candidate], reading: Reading) -> Sequence[Candidate]:
     """Keep the outlines on the layers that a reading asks for, and note the number of others.
 
+    The groups of SVG that have an id are layers, too.
+
     Raises:
         FormatError: the file has no layer of a given name.
     """
-    if not reading.layers and not reading.ignored_layers:
+    wanted, ignored = ({*map(str.casefold, n)} for n in (reading.layers, reading.ignored_layers))
+    if not wanted and not ignored:
         return outlines
-    known = {one.layer.casefold(): one.layer for one in outlines if one.layer is not None}
+    known = {name.casefold(): name for one in outlines for name in list_layers(one)}
     for name in (*reading.layers, *reading.ignored_layers):
         if name.casefold() not in known:
             names = [layer for layer in known.values() if layer]
             listed = f"; the layers are {', '.join(map(quote, names))}" if names else ""
             raise FormatError(f"no layer {quote(name)}{suggest(name, names) or listed}")
-    wanted: set[str | None] = {name.casefold() for name in reading.layers} or {None, *known}
-    wanted -= {name.casefold() for name in reading.ignored_layers}
-    found = [one for one in outlines if _fold(one) in wanted]
-    left = Counter(one.layer for one in outlines if _fold(one) not in wanted)
+    found, left = [], Counter[str | None]()
+    for one in outlines:
+        its = {*map(str.casefold, list_layers(one))}
+        if its & ignored or (wanted and not its & wanted):
+            hidden = next((name for name in list_layers(one) if name.casefold() in ignored), None)
+            left[hidden or get_layer(one)] += 1
+        else:
+            found.append(one)
     for layer, number in left.items():
-        place = "on no layer" if layer is None else f"on the layer {quote(layer)}"
-        reading.notes[f"skipped: {count(number, 'shape')} {place}"] = None
+        reading.notes[f"skipped: {count(number, 'shape')} on {tell_layer(layer)}"] = None
     return found
 
 
-def _fold(outline: Candidate) -> str | None:
-    return None if outline.layer is None else outline.layer.casefold()
+def list_layers(outline: Candidate) -> list[str]:
+    """List the layer and the groups of an outline, the layer first."""
+    return [*([] if outline.layer is None else [outline.layer]), *outline.groups]
+
+
+def get_layer(outline: Candidate) -> str | None:
+    """Return the layer of an outline, or else its innermost group; None without either."""
+    return outline.groups[-1] if outline.layer is None and outline.groups else outline.layer
+
+
+def tell_layer(layer: str | None) -> str:
+    """Return the name of a layer for messages."""
+    return "no layer" if layer is None else f"the layer {quote(layer)}"

@@ -79,6 +79,28 @@ def test_engraving_does_not_stop_a_verdict(form: str, tmp_path: Path) -> None:
     assert (code, found["unchecked"]) == (0, [])
 
 
+def test_engraving_on_parts_of_its_own_layer_does_not_stop_a_verdict(tmp_path: Path) -> None:
+    layer = 'inkscape:groupmode="layer" inkscape:label'
+    drawn = write_svg(draw_plates(), engraved=True).replace(layer, "id")
+    path = tmp_path / "nest.svg"
+
+    def run_on(text: str, *options: str) -> tuple[int, str, str]:
+        path.write_text(text)
+        done = run("layout", str(path), *options)
+        return done.exit_code, done.stdout.partition("\n")[0], done.stderr
+
+    code, verdict, _ = run_on(drawn)
+    assert code == 0
+    assert verdict == "verdict     valid, but not judged: 1 open shape on parts (line 56)"
+    code, verdict, _ = run_on(drawn, "--strict", "--ignore-layer", "engrave")
+    assert (code, verdict) == (0, "verdict     valid")
+    # Between the parts, an open line may be a part.
+    code, _, error = run_on(drawn.replace("4,12 8,18", "1,12 8,18"))
+    assert code == 1
+    assert "open end at (1,12)" in error
+    assert "(--ignore-layer engrave skips its layer)" in error
+
+
 @pytest.mark.parametrize("form", WRITERS)
 def test_a_layer_alone_is_judged(form: str, tmp_path: Path) -> None:
     layers = ["sheet", "plate03", "Plate04"] if form == "dxf" else ["CUT"]

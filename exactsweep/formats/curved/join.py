@@ -273,12 +273,18 @@ def _outlines(
         elif fault:
             alone = len(joined) == 1 and not start.path
             alone = alone and not any(joint in lost for joint in joints)
-            yield order, _refuse(start._replace(name=name), fault, ornament=alone)
+            refused = _refuse(start._replace(name=name), fault, ornament=alone)
+            yield order, refused._replace(points=tuple(_list_points(joined)))
         else:
             yield (
                 order,
                 draw_outline(_walk(lines, at, points, first), start._replace(name=name), reading),
             )
+
+
+def _list_points(lines: Iterable[OpenLine]) -> Iterator[Point]:
+    for line in lines:
+        yield from line.path.points if line.path else line.ends
 
 
 def _fault(line: OpenLine, end: Point, count: int, reading: Reading) -> str:

@@ -13,6 +13,7 @@ from exactsweep.formats.candidate import Candidate
 from exactsweep.formats.depth import Nested, nest_outlines, tell_ambiguity, tell_place
 from exactsweep.formats.error import FormatError
 from exactsweep.formats.folder import make_unique
+from exactsweep.formats.layers import get_layer, tell_layer
 from exactsweep.formats.layouts.containers import Sheet, find_sheets
 from exactsweep.formats.layouts.found import STANDING, FoundLayout, write_rings
 from exactsweep.formats.node import Data
@@ -20,7 +21,7 @@ from exactsweep.formats.parsing import parse_by
 from exactsweep.formats.part_list import Said
 from exactsweep.formats.reading import UNITS, Reading
 from exactsweep.geometry.canonical import PolygonError, find_doubled_area
-from exactsweep.numbers.error import quote
+from exactsweep.geometry.edges import is_inside
 from exactsweep.numbers.number import Point
 from exactsweep.words import count
 
@@ -48,16 +49,18 @@ def draw_layouts(
     plain = [one for one in drawn if not one.ornament]
     if not plain:
         raise FormatError(notes[0] if notes else "no outline is drawn")
-    closed, unchecked = _leave_open_layers(plain)
     said = Said(notes, notes)
     outlines: list[Candidate] = []
-    for one in closed:
+    for one in plain:
         try:
-            outlines += one.split(said)
+            outlines += [] if one.fault else one.split(said)
         except PolygonError:
             # The judge reports the shape.
             outlines.append(one)
+    if not outlines:
+        raise FormatError(plain[0].fault)
     sheets = [Sheet(None, [], outlines)] if container is False else find_sheets(outlines, container)
+    unchecked = _list_open(plain, [one for sheet in sheets for one in sheet.outlines])
     if all(not sheet.outlines for sheet in sheets):
         raise FormatError("only one outline found; a layout needs a container and parts")
     # Pixels are what SVG has where it states no unit.
@@ -78,25 +81,40 @@ def draw_layouts(
     return found
 
 
-def _leave_open_layers(outlines: Sequence[Candidate]) -> tuple[list[Candidate], list[str]]:
-    """Skip layers without closed outlines, such as engraving, and name them."""
-    closed = {one.layer for one in outlines if not one.fault}
-    found, left = [], Counter[str | None]()
-    for one in outlines:
-        if one.fault and one.layer in closed:
-            hint = "" if one.layer is None else f" (--ignore-layer {one.layer} skips its layer)"
-            raise FormatError(f"{one.fault}{hint}")
-        if one.fault and not closed:
-            raise FormatError(one.fault)
-        if one.fault:
+def _list_open(outlines: Sequence[Candidate], parts: Sequence[Candidate]) -> list[str]:
+    """Name the open shapes that are engraving, and no part of an outline.
+
+    Engraving is on a layer without closed outlines, or all of its points are on one part.
+
+    Raises:
+        FormatError: another shape is open: without it the layout might be wrong.
+    """
+    layers = {one.layer for one in outlines if not one.fault}
+    rings = [one.vertices() for one in parts]
+    left, engraved = Counter[str | None](), list[str]()
+    for one in (one for one in outlines if one.fault):
+        layer = get_layer(one)
+        if one.layer not in layers:
             left[one.layer] += 1
+        elif one.points and any(_is_on(one.points, ring) for ring in rings):
+            engraved.append(one.fault)
         else:
-            found.append(one)
-    return found, [
-        f"{count(number, 'shape')} on "
-        f"{'no layer' if layer is None else f'the layer {quote(layer)}'}, none of them closed"
+            hint = "" if layer is None else f" (--ignore-layer {layer} skips its layer)"
+            raise FormatError(f"{one.fault}{hint}")
+    said = [
+        f"{count(number, 'shape')} on {tell_layer(layer)}, none of them closed"
         for layer, number in left.items()
     ]
+    if engraved:
+        match = _LINE.search(engraved[0])
+        where = f" ({match[0]}{', ...' if len(engraved) > 1 else ''})" if match else ""
+        said.append(f"{count(len(engraved), 'open shape')} on parts{where}")
+    return said
+
+
+def _is_on(points: Sequence[Point], ring: Sequence[Point]) -> bool:
+    """Decide whether all points are inside a ring; an outline of its own is elsewhere."""
+    return all(is_inside(Point(2 * x, 2 * y), [ring]) for x, y in points)
 
 
 def _make_layout(sheet: Sheet, *, nested: bool) -> FoundLayout:
