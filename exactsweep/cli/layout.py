@@ -89,7 +89,8 @@ class _Wanted(NamedTuple):
     _TableOptions,
     takes_file(
         "--part",
-        "The outlines of the parts of a table of placements: any file of polygons, or Layout JSON.",
+        "The parts of a table of placements: any file of polygons, Layout JSON, or FILE#GROUP, the "
+        "outlines of a group of SVG as one part.",
     ),
     click.option(
         "--turns-in",
@@ -104,7 +105,7 @@ class _Wanted(NamedTuple):
     click.option(
         "--container",
         metavar="ID",
-        help="Name, index or layer of the container's outline in a drawing; default: sheet, bin, "
+        help="Name, index, layer or group of the container in a drawing; default: sheet, bin, "
         "board, container or stock, or else the outline around all others.",
     ),
     click.option("--no-container", is_flag=True, help="Judge the parts only against each other."),

@@ -92,7 +92,7 @@ def select(candidates: Sequence[Candidate], choice: str) -> list[Candidate]:
 
 def is_group(candidates: Sequence[Candidate], choice: str | None) -> bool:
     """Whether the candidates that a choice selects are the separate outlines of one group."""
-    return len(candidates) > 1 and all(
+    return bool(candidates) and all(
         choice in one.groups and choice not in (one.name, one.layer) for one in candidates
     )
 

@@ -29,11 +29,13 @@ class Nested(NamedTuple):
             rings just inside as holes. Outlines that are not simple polygons stay apart.
         holes: pairs of an outline that became a hole and the outline around it; an outline's own
             holes are not among them.
+        islands: pairs of a polygon in a hole and that hole, among all rings.
         ambiguous: pairs of an outline and two crossing outlines around it, not among `outlines`.
     """
 
     outlines: list[Candidate]
     holes: list[tuple[Candidate, Candidate]]
+    islands: list[tuple[Candidate, Candidate]]
     ambiguous: list[tuple[Candidate, tuple[Candidate, Candidate]]]
 
 
@@ -126,7 +128,7 @@ def nest_outlines(outlines: Sequence[Candidate]) -> Nested:
     tree = _Nesting([ring.polygon for ring in rings])
     holes: defaultdict[int, list[int]] = defaultdict(list)
     exteriors: list[int] = []
-    ambiguous = []
+    ambiguous, islands = [], []
     # For each group of equal rings, the depth just inside, and the polygons whose holes are there.
     inside: dict[int, tuple[int, list[int]]] = {}
     for group in tree.groups():
@@ -150,6 +152,8 @@ def nest_outlines(outlines: Sequence[Candidate]) -> Nested:
             others = others[len(free) :]
             depth += bool(others)
         exteriors += others
+        if parent is not None:
+            islands += [(rings[i].outline, rings[parent].outline) for i in others]
         inside[first] = depth + 1, others or [*owners.values()]
     for i, found in enumerate(rings):
         if found.polygon is None and found.owner is None:
@@ -165,6 +169,7 @@ def nest_outlines(outlines: Sequence[Candidate]) -> Nested:
             for k in holes[i]
             if rings[k].owner is None
         ],
+        islands,
         ambiguous,
     )
 

@@ -137,3 +137,29 @@ def test_style_sheets_are_read_once_for_all_parts(read: Any) -> None:
         assert len(read(f"<style>{style}</style>{part * n}").data["placements"]) == n
 
     require_linear(read_many, size=100)
+
+
+def test_a_group_may_be_the_container_with_its_defects() -> None:
+    found = read(
+        '<g id="Plate"><rect id="edge" width="9" height="9"/><path d="M1 1h1v1z"/></g>'
+        '<path id="part" d="M4 4h2v2z"/>',
+        container="plate",
+    )
+    assert [part["id"] for part in found.data["parts"]] == ["part"]
+    assert found.data["container"]["exterior"][2] == ["9", "9"]
+    assert len(found.data["defects"]) == 1
+    with pytest.raises(FormatError, match="no outline of the group 'pair' is around its others"):
+        read(f'<g id="pair">{PART}<path d="M4 4h2v2z"/></g>', container="pair")
+
+
+def test_artwork_around_a_part_is_doubtful_as_a_hole() -> None:
+    """Without the outline on the other layer, the inner part overlaps the outer one."""
+    layer = '<g xmlns:i="http://www.inkscape.org/namespaces/inkscape" i:groupmode="layer" i:label='
+    cut = f'{layer}"cut"><path id="a" d="M1 1H8V8H1z"/><path id="b" d="M3 3H4V4H3z"/></g>'
+    art = f'{layer}"art"><path id="c" d="M2 2H6V6H2z"/></g>'
+    found = read(f'<rect id="sheet" width="9" height="9"/>{cut}{art}')
+    (doubt,) = found.unchecked
+    assert "path 'c' on the layer 'art' is a hole of" in doubt
+    assert "--ignore-layer art" in doubt
+    inner = cut.replace('"cut"', '"art"')
+    assert read(f'<rect id="sheet" width="9" height="9"/>{inner}{art}').unchecked == ()

@@ -183,3 +183,23 @@ def test_allowed_turns_are_in_radians_too(read: Read) -> None:
     (found,) = read(json.dumps(layout), part=None, radians=True)
     judgement = judge_layout(Layout.from_json(found.data))
     assert [(fault.kind, fault.placements) for fault in judgement.faults] == [("turn", (2,))]
+
+
+def test_a_group_is_one_rigid_part(tmp_path: Path) -> None:
+    """The outlines of a group keep their distance, and overlap those of other placements."""
+    drawing, table = tmp_path / "parts.svg", tmp_path / "table.csv"
+    drawing.write_text(
+        '<svg><g id="pair"><path fill-rule="evenodd" d="M0 0H4V4H0z M1 1H2V2H1z"/>'
+        '<rect x="5" width="1" height="4"/></g></svg>'
+    )
+
+    def judge(second: str) -> bool | None:
+        table.write_text(f"part,x,y,angle\npair,0,0,0\npair,{second}\n")
+        (found,) = read_layouts(str(table), part=f"{drawing}#pair")
+        (part,) = found.data["parts"]
+        assert part["id"] == "pair"
+        assert all(set(piece) == {"points"} for piece in part["pieces"])
+        return judge_layout(Layout.from_json(found.data)).valid
+
+    assert judge("6,0,0") == judge("-6,0,0") is True
+    assert judge("5,0,0") == judge("4,0,0") is False

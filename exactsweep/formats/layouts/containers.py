@@ -37,15 +37,16 @@ class Sheet(NamedTuple):
 def find_sheets(outlines: Sequence[Candidate], container: str | None) -> list[Sheet]:
     """Find the containers of a drawing, and assign all other outlines to them.
 
-    A container is the outline of the given name, index or layer; else the only one on a layer that
-    is called sheet, bin, board, container or stock; else the one whose box is around all others;
-    else those with such a name, class or layer; else the largest one, if it holds the centers of
-    all other boxes. Other outlines on the layer of a container that has such a name, or was given,
-    are defects. Names are compared without case.
+    A container is the outline of the given name, index or layer, or the outermost one of the given
+    group; else the only one on a layer that is called sheet, bin, board, container or stock; else
+    the one whose box is around all others; else those with such a name, class or layer; else the
+    largest one, if it holds the centers of all other boxes. Other outlines on the layer of a
+    container that has such a name, or was given, and in a given group are defects. Names are
+    compared without case.
 
     Args:
         outlines: those of a drawing.
-        container: the name, index or layer of the container, if it is known.
+        container: the name, index, layer or group of the container, if it is known.
 
     Raises:
         FormatError: no outline is a container, or none has the given name; the message lists the
@@ -86,7 +87,11 @@ def find_sheets(outlines: Sequence[Candidate], container: str | None) -> list[Sh
     for one in outlines:
         if not any(one is other for other in found):
             sheet = _find_sheet(boxes[id(one)], sheets, boxes)
-            (sheet.defects if one.layer in layers else sheet.outlines).append(one)
+            grouped = container is not None and container.casefold() in map(
+                str.casefold, one.groups
+            )
+            is_defect = one.layer in layers or grouped
+            (sheet.defects if is_defect else sheet.outlines).append(one)
     return sheets
 
 
@@ -100,10 +105,16 @@ def _list_marked(outlines: Sequence[Candidate], container: str | None) -> list[C
     spelled = {
         word
         for one in outlines
-        for word in (one.name, one.layer)
+        for word in (one.name, one.layer, *one.groups)
         if word is not None and word.casefold() == container.casefold()
     }
     choice = container if container in spelled or len(spelled) != 1 else spelled.pop()
+    grouped = [one for one in outlines if choice in one.groups]
+    if grouped and not any(choice in (one.name, one.layer) for one in outlines):
+        around = _find_around(grouped, {id(one): _bound(one) for one in grouped})
+        if around is None:
+            raise FormatError(f"no outline of the group {quote(choice)} is around its others")
+        return [around]
     found = select(outlines, choice)
     if len(found) > 1 and all(one.name == choice for one in found):
         number = [str(k) for k, one in enumerate(outlines) if any(one is o for o in found)]

@@ -129,6 +129,7 @@ def _make_layout(sheet: Sheet, *, nested: bool) -> FoundLayout:
             f"{tell_ambiguity(outline, around)} (skipped)" for outline, around in found.ambiguous
         ]
         unchecked += _find_lookalikes(found)
+        unchecked += _find_artwork(found)
     if sheet.defects:
         notes.append(
             f"{count(len(sheet.defects), 'outline')} on the layer of the container read as defects"
@@ -201,6 +202,22 @@ def _find_lookalikes(found: Nested) -> list[str]:
         f"size of the part {tell_place(part)}"
         for one, around, part in alike[:1]
     ] + ([f"{len(alike) - 1} more outlines like it"] if len(alike) > 1 else [])
+
+
+def _find_artwork(found: Nested) -> list[str]:
+    """Name a hole on another layer than its part, with a part of that layer in it."""
+    around = {id(hole): part for hole, part in found.holes}
+    doubtful = [
+        (hole, around[id(hole)], inner)
+        for inner, hole in found.islands
+        if id(hole) in around and inner.layer == around[id(hole)].layer != hole.layer
+    ]
+    return [
+        f"whether {tell_place(hole)} on the layer {quote(hole.layer or '')} is a hole of "
+        f"{tell_place(part)}: else {tell_place(inner)} overlaps that part (--flat reads each "
+        f"outline as a part, --ignore-layer {hole.layer} skips the layer)"
+        for hole, part, inner in doubtful[:1]
+    ]
 
 
 def _measure(ring: Sequence[Point]) -> tuple[int, str]:

@@ -13,6 +13,7 @@ from exactsweep.formats.candidate import Candidate
 from exactsweep.formats.error import FormatError
 from exactsweep.formats.node import Data, JsonNode, write_ring, write_shape
 from exactsweep.formats.rounded import RoundedOutline
+from exactsweep.geometry.convex import cut_to_convex
 from exactsweep.numbers.digits import format_fraction
 from exactsweep.numbers.error import quote
 from exactsweep.numbers.number import Point
@@ -180,6 +181,24 @@ def write_rings(outline: Candidate) -> Data:
     holes = [write_ring(hole.vertices()) for hole in outline.holes()]
     shape = write_shape(write_ring(outline.vertices()), holes)
     return shape | ({"error": format_fraction(outline.error)} if outline.error else {})
+
+
+def write_union(outlines: Sequence[Candidate]) -> Data:
+    """Write separate outlines as one rigid part of convex pieces."""
+    shapes = [*map(write_rings, outlines)]
+    if len(shapes) == 1:
+        return shapes[0]
+    pieces: list[Data] = []
+    for one, shape in zip(outlines, shapes, strict=True):
+        if "pieces" in shape:
+            pieces += shape["pieces"]
+            continue
+        scale, rings = one.region().lattice()
+        for piece in cut_to_convex(rings):  # type: ignore[arg-type]
+            points = [Point(Fraction(x, scale), Fraction(y, scale)) for x, y in piece]
+            pieces.append({"points": write_ring(points)})
+    error = max(Fraction(shape.get("error", 0)) for shape in shapes)
+    return {"pieces": pieces} | ({"error": format_fraction(error)} if error else {})
 
 
 def write_rounded(outline: RoundedOutline) -> Data:

@@ -17,6 +17,7 @@ from glob import has_magic
 from io import StringIO
 from typing import NamedTuple
 
+from exactsweep.formats.choice import is_group
 from exactsweep.formats.columns import name_columns
 from exactsweep.formats.curved.arc import to_degrees
 from exactsweep.formats.decimals import read_decimal
@@ -24,7 +25,7 @@ from exactsweep.formats.error import FormatError
 from exactsweep.formats.exact_json import parse_json
 from exactsweep.formats.files import read_text
 from exactsweep.formats.folder import list_parts, make_unique
-from exactsweep.formats.layouts.found import FoundLayout, write_rings
+from exactsweep.formats.layouts.found import FoundLayout, write_rings, write_union
 from exactsweep.formats.node import Data, JsonNode
 from exactsweep.formats.polygons import name_file, split_choice
 from exactsweep.formats.reading import Reading
@@ -85,6 +86,9 @@ def read_parts(path: str, reading: Reading) -> dict[str, Data]:
     names = make_unique([one.name for one in drawn])
     if not drawn:
         raise FormatError(f"{path}: no part")
+    outlines = [one.candidate for one in drawn]
+    if (group := split_choice(path)[1]) and listing.files == 1 and is_group(outlines, group):
+        return {group: {"id": group, **write_union(outlines)}}
     found: dict[str, Data] = {}
     for name, one in zip(names, drawn, strict=True):
         found[name] = {"id": name, **write_rings(one.candidate)}
