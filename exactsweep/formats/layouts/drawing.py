@@ -213,9 +213,9 @@ def _find_artwork(found: Nested) -> list[str]:
         if id(hole) in around and inner.layer == around[id(hole)].layer != hole.layer
     ]
     return [
-        f"whether {tell_place(hole)} on the layer {quote(hole.layer or '')} is a hole of "
-        f"{tell_place(part)}: else {tell_place(inner)} overlaps that part (--flat reads each "
-        f"outline as a part, --ignore-layer {hole.layer} skips the layer)"
+        f"whether {tell_place(hole)} on {tell_layer(hole.layer)} is a hole of {tell_place(part)}: "
+        f"else {tell_place(inner)} overlaps that part (--flat reads each outline as a part, "
+        f"--ignore-layer {get_layer(hole)} skips the layer)"
         for hole, part, inner in doubtful[:1]
     ]
 
