@@ -1,1 +1,1 @@
-"""Conversion of exact coordinates to pixels, and the only SVG writer."""
+"""Conversion of exact coordinates to pixels, and the SVG writer."""

@@ -1,7 +1,7 @@
-"""The error of pictures."""
+"""The exception for pictures."""
 
 from exactsweep.numbers.error import ExactSweepError
 
 
 class DrawError(ExactSweepError):
-    """A picture that cannot be drawn or saved."""
+    """Raised if a picture cannot be drawn or saved."""

@@ -1,6 +1,6 @@
 """The exact scale of a picture, which maps coordinates of any size to floats near 1.
 
-A coordinate is shifted and divided as a Fraction before it becomes a float. So coordinates around
+Coordinates are shifted and divided as Fractions before they become floats. So coordinates around
 10^30, or shapes that differ in the last of 500 digits, are drawn as accurately as small integers.
 """
 
@@ -16,8 +16,8 @@ from exactsweep.canvas.window import MOST_STRETCHED
 from exactsweep.numbers.digits import find_magnitude, format_fraction
 from exactsweep.numbers.number import Rational, Vertex
 
-# An axis shows the coordinates themselves for these powers of ten, if 0 is within this number of
-# picture sizes.
+# An axis shows unscaled coordinates for these powers of ten, and unshifted ones if 0 is within this
+# number of picture sizes.
 _PLAIN = range(-2, 4)
 _NEAR = 1000
 _SHOWN_DIGITS = 12
@@ -41,14 +41,14 @@ class AxisScale(NamedTuple):
         return Fraction(10) ** self.exponent
 
     def place(self, value: Rational) -> float:
-        """Return the correctly rounded place of a coordinate; raise DrawError if it overflows."""
+        """Return the correctly rounded position of a coordinate; raise DrawError on overflow."""
         try:
             return float((value - self.origin) / self.unit)
         except OverflowError:
             raise DrawError("a point is too far outside the picture") from None
 
     def label(self, name: str) -> str:
-        r"""Write the label of the axis for matplotlib.
+        r"""Return the label of the axis, in mathtext.
 
         >>> AxisScale(Fraction(0), 30).label("x")
         '$x\\,/\\,10^{30}$'
@@ -66,7 +66,7 @@ class AxisScale(NamedTuple):
 
 
 class Scale(NamedTuple):
-    """The scale of a picture, made by `Scale.of`.
+    """The scale of a picture, created by `Scale.of`.
 
     Attributes:
         x, y: the AxisScale of each axis.
@@ -79,13 +79,13 @@ class Scale(NamedTuple):
 
     @classmethod
     def of(cls, *shapes: Iterable[Vertex]) -> Self:
-        """Find the scale of a picture of points with Fraction or int coordinates.
+        """Return the scale of a picture that shows all points.
 
-        Both axes have the same unit, unless the points are over 12 times as wide as high, or as
-        high as wide. Coordinates of a few digits are unchanged.
+        Both axes have the same unit, unless the aspect ratio of the points exceeds 12. Coordinates
+        of a few digits are unchanged.
 
         Raises:
-            DrawError: no points.
+            DrawError: there are no points.
 
         Example:
             >>> Scale.of([(0, 0), (8, 5)]).x
@@ -110,12 +110,12 @@ class Scale(NamedTuple):
         return cls(x, y, is_true)
 
     def place(self, point: Vertex) -> tuple[float, float]:
-        """Return the place of a point."""
+        """Return the position of a point as floats."""
         x, y = point
         return self.x.place(x), self.y.place(y)
 
     def places(self, points: Iterable[Vertex]) -> list[tuple[float, float]]:
-        """Return the places of points, as `place` does."""
+        """Return the positions of several points."""
         return [self.place(point) for point in points]
 
 
@@ -130,9 +130,9 @@ def _axis(low: Fraction, high: Fraction, size: Fraction) -> AxisScale:
 
 
 def _round_number(low: Fraction, high: Fraction, step: Fraction) -> Fraction:
-    """Return a multiple of a power of ten just below `low`, or a rounder one up to `high`.
+    """Return a round number up to `low`, or a rounder one between `low` and `high`.
 
-    0 is not between low and high.
+    0 is not between `low` and `high`.
     """
     found = floor(low / step) * step
     while (rounder := ceil(low / step) * step) <= high:
@@ -142,7 +142,7 @@ def _round_number(low: Fraction, high: Fraction, step: Fraction) -> Fraction:
 
 
 def _size(value: Fraction) -> str:
-    """Write a positive number in few characters for mathtext; dots replace missing digits."""
+    """Abbreviate a positive number for mathtext; dots replace missing digits."""
     text = format_fraction(value)
     if len(text) <= _SHOWN_DIGITS:
         return text

@@ -1,9 +1,9 @@
-"""One style for all pictures, for print and for colour-blind readers.
+"""The style of all pictures, for print and for color-blind readers.
 
-A colour has one meaning in all pictures, pages and sheets; LIGHT and DARK define the colours for
-the two backgrounds. A test computes that readers who confuse red and green can distinguish any two
-of them. Lines and areas also differ in width, dashes, hatching or markers, so black-and-white
-prints remain readable. Colours of numbered items are those of Okabe and Ito.
+A color has the same meaning in all pictures and pages; LIGHT and DARK are the colors for the two
+backgrounds. A test checks that readers with red-green color blindness can distinguish them. Lines
+and areas also differ in width, dashes, hatching or markers, for black-and-white prints. The colors
+of numbered items are those of Okabe and Ito.
 """
 
 from __future__ import annotations
@@ -25,21 +25,21 @@ RED = "#d55e00"
 PURPLE = "#cc79a7"
 
 PALETTE = (BLUE, RED, GREEN, PURPLE, ORANGE, SKY, BLACK)
-"""The colours of several objects of one kind, such as chains, in order."""
+"""The colors of several objects of the same kind, such as chains, in order."""
 
 _DATA: dict[str, Any] = tomllib.loads(
     files("exactsweep.canvas").joinpath("style.toml").read_text(encoding="utf-8")
 )
 LIGHT: dict[str, str] = _DATA["light"]
-"""Colours on a light background."""
+"""Colors on a light background."""
 DARK: dict[str, str] = _DATA["dark"]
-"""Colours on a dark background."""
+"""Colors on a dark background."""
 JUDGED: dict[str, str] = _DATA["judged"]
-"""Colours of another program's answer and of a witness, on both backgrounds."""
+"""Colors of another program's answer and of a witness, for both backgrounds."""
 
 
 def write_style_sheet() -> str:
-    """Write all colours as CSS variables, for light and dark backgrounds."""
+    """Return all colors as CSS variables, for light and dark backgrounds."""
     light, dark = (
         " ".join(f"--{name}: {color};" for name, color in (palette | JUDGED).items())
         for palette in (LIGHT, DARK)
@@ -49,7 +49,7 @@ def write_style_sheet() -> str:
 
 
 def use_style() -> AbstractContextManager[None]:
-    """Return a context with the matplotlib settings of the style."""
+    """Return a context manager that applies the matplotlib settings of the style."""
     from matplotlib import rc_context
 
     return rc_context(_DATA["settings"])
@@ -57,18 +57,18 @@ def use_style() -> AbstractContextManager[None]:
 
 @dataclass(frozen=True)
 class Look:
-    """The look of one kind of object.
+    """The look of one kind of object, in terms of matplotlib.
 
     Attributes:
-        color: the colour of lines, markers and hatching.
-        width: the width of lines, in points.
-        dash: the line style of matplotlib.
-        fill: the colour of the inside, or None.
-        hatch: the hatching of matplotlib, or None.
-        marker: the marker of matplotlib at each point, or None.
+        color: the color of lines, markers and hatching.
+        width: the line width in points.
+        dash: the line style.
+        fill: the color of the interior, or None.
+        hatch: the hatching, or None.
+        marker: the marker at each point, or None.
         hollow: whether markers are filled with white.
-        order: the drawing order; higher numbers are drawn later, over the rest.
-        size: the size of markers, in points.
+        order: the drawing order; higher numbers are drawn on top.
+        size: the marker size in points.
         halo: whether markers have a white rim.
     """
 
@@ -85,7 +85,7 @@ class Look:
 
     @property
     def as_line(self) -> dict[str, Any]:
-        """Return keyword arguments for `Axes.plot`."""
+        """Keyword arguments for `Axes.plot`."""
         return {
             "color": self.color,
             "linewidth": self.width,
@@ -100,7 +100,7 @@ class Look:
 
     @property
     def as_area(self) -> dict[str, Any]:
-        """Return keyword arguments for `Axes.fill`."""
+        """Keyword arguments for `Axes.fill`."""
         return {
             "facecolor": self.fill or "none",
             "edgecolor": self.color,
@@ -125,7 +125,7 @@ EXACT_FIT = _look("fit", 2.2, marker="o", order=6)
 MANY_EXACT_FITS = _look("fit", 0.5, order=6)
 POINT_FIT = _look("fit", 0, dash="none", marker="*", order=7.2, size=12)
 FREE = _look("free", 1.6, fill=LIGHT["free-fill"], dash=(0, (6, 1.5)), order=4.5)
-"""The look of positions without overlap: holes of a no-fit polygon, regions of an inner fit."""
+"""The look of positions without overlap: holes of no-fit polygons and regions of inner fits."""
 HANGING_END = _look("fit", 0, dash="none", marker="o", hollow=True, order=6.1)
 TRAJECTORY = _look("path", 1.2, order=5)
 REFERENCE = _look("generatrix", 0, dash="none", marker="o", order=7, size=5.5, halo=True)
@@ -141,14 +141,14 @@ CONTACTS = {
     "EE": _look("EE", 3.2, order=7.5),
     "VV": _look("VV", 0, dash="none", marker="D", order=8, size=5.5, halo=True),
 }
-"""The look of places where G touches D, by contact event."""
+"""The look of contact points, by contact event."""
 SEVERAL_EVENTS = _look("path", 1.8, dash="-.", order=5)
 SUB_TRAJECTORY = Look(GREY, 0.9, dash=(0, (4, 2)), order=3)
 ENVELOPE = Look(BLACK, 2.2, order=4)
 
 
 def choose_chain_look(k: int) -> Look:
-    """Choose colour, marker and dashes of chain number k."""
+    """Return the look of chain number k."""
     markers, dashes = "os^Dv", ("-", (0, (5, 1.5)), (0, (2, 1)))
     return Look(
         PALETTE[k % len(PALETTE)],

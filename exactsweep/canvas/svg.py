@@ -1,6 +1,6 @@
 """Small SVG pictures without matplotlib, for notebooks.
 
-Coordinates are scaled exactly and then rounded to a hundredth of a pixel.
+Coordinates are scaled exactly, then rounded to a hundredth of a pixel.
 """
 
 from __future__ import annotations
@@ -20,7 +20,7 @@ _HATCH = "exactsweep-hatch"
 
 
 class Shape(NamedTuple):
-    """Loops or chains with a look."""
+    """Loops or chains with their look."""
 
     loops: Sequence[Iterable[Vertex]]
     look: Look
@@ -28,7 +28,7 @@ class Shape(NamedTuple):
 
 
 def write_svg(shapes: Iterable[Shape], title: str) -> str:
-    """Write shapes, in drawing order, as one SVG image on white; raise DrawError without points."""
+    """Write shapes, in drawing order, as an SVG image; raise DrawError if there are no points."""
     drawn = [Shape([list(loop) for loop in s.loops], s.look, s.closed) for s in shapes if s.loops]
     points = chain.from_iterable(chain.from_iterable(shape.loops for shape in drawn))
     window = Window.around(points, _WIDTH, _HEIGHT, _MARGIN)
@@ -46,7 +46,7 @@ def _path(shape: Shape, window: Window) -> str:
     look = shape.look
     fill, hatching = look.fill or "none", ""
     if look.hatch:
-        # Pictures of one page share the id and the pattern.
+        # All pictures of a page share the id and the pattern.
         fill = f"url(#{_HATCH})"
         hatching = (
             f'<pattern id="{_HATCH}" width="5" height="5" patternUnits="userSpaceOnUse" '
@@ -70,7 +70,7 @@ def draw_rings(rings: Iterable[Iterable[Vertex]], title: str) -> str:
 
 
 def add_table(picture: str, rows: Iterable[tuple[str, str]]) -> str:
-    """Return HTML of a picture with a table of names and texts on its right."""
+    """Return HTML of a picture with a table on its right."""
     table = "".join(
         f'<tr><th style="text-align:left">{escape(name)}</th>'
         f'<td style="text-align:left">{escape(text)}</td></tr>'
@@ -85,7 +85,7 @@ def add_table(picture: str, rows: Iterable[tuple[str, str]]) -> str:
 def write_path(
     lines: Iterable[Iterable[tuple[float, float]]], *, closed: bool, digits: int = 2
 ) -> str:
-    """Write lines in pixels, or loops if closed, as the data of one SVG path.
+    """Return the path data of polylines, or of loops if closed, in pixels.
 
     >>> write_path([[(0, 0), (1, 0.125)]], closed=True)
     'M0.00 0.00L1.00 0.12Z'

@@ -1,4 +1,4 @@
-"""A box of the plane, and the conversion of exact coordinates to pixels."""
+"""A rectangle of the plane, and the conversion of exact coordinates to pixels."""
 
 from __future__ import annotations
 
@@ -10,18 +10,18 @@ from exactsweep.canvas.error import DrawError
 from exactsweep.numbers.number import Vertex
 
 MOST_STRETCHED = 12
-"""The aspect ratio from which the axes have different units."""
-# Pixels farther outside are clamped.
+"""The aspect ratio above which the axes have different units."""
+# Pixels are clamped to this distance from 0.
 _FAR = 100_000
 
 
 class Window(NamedTuple):
-    """A box of the plane, and its picture in pixels with Y downward.
+    """A rectangle of the plane, drawn in pixels with Y downward.
 
     Attributes:
-        left, bottom, right, top: the box, Fractions, of positive width and height; if Y points down
-            in the plane, too, bottom > top.
-        width, height: the size of the picture, in pixels.
+        left, bottom, right, top: the rectangle, as Fractions; bottom > top if Y points down in the
+            plane as well.
+        width, height: the size of the picture in pixels.
     """
 
     left: Fraction
@@ -33,10 +33,10 @@ class Window(NamedTuple):
 
     @classmethod
     def around(cls, points: Iterable[Vertex], width: int, height: int, margin: int = 0) -> Self:
-        """Return the window that shows points as large as possible, with a margin in pixels.
+        """Return the smallest window that shows all points with a margin in pixels.
 
-        Both axes have the same unit, unless the points are over 12 times as wide as high, or as
-        high as wide. Without points it raises DrawError.
+        Both axes have the same unit, unless the aspect ratio of the points exceeds 12. Raises
+        DrawError if there are no points.
 
         >>> window = Window.around([(0, 0), (10, 5)], 120, 120, 10)
         >>> window.place((0, 0)), window.place((10, 5))
@@ -60,17 +60,15 @@ class Window(NamedTuple):
         return cls(x - half_x, y - half_y, x + half_x, y + half_y, width, height)
 
     def turned(self) -> Self:
-        """Return the same box with Y downward."""
+        """Return the same rectangle with Y downward."""
         return self._replace(bottom=self.top, top=self.bottom)
 
     @property
     def is_true(self) -> bool:
-        """Decide whether both axes have the same unit."""
         return (self.right - self.left) * self.height == (self.top - self.bottom) * self.width
 
     @property
     def longest(self) -> Fraction:
-        """The longer side of the box."""
         return max(self.right - self.left, self.top - self.bottom)
 
     def place(self, point: Vertex) -> tuple[float, float]:

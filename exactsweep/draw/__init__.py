@@ -1,7 +1,7 @@
-"""Pictures, drawn with matplotlib (the `plot` extra) at an exact scale.
+"""Pictures drawn with matplotlib (the `plot` extra) at an exact scale.
 
-`plot_sweep` draws a sweep, `plot_positions` a no-fit polygon or an inner fit. For other pictures
-make a `Picture` on an Axes, with a `Scale` that covers all points, and draw on it:
+`plot_sweep` draws a sweep, `plot_positions` a no-fit polygon or an inner fit. For other pictures,
+create a `Picture` from an Axes and a `Scale` that covers all points, and draw on it:
 
     >>> from exactsweep import sweep
     >>> s = sweep([(0, 0), (1, 0), (0, 1)], [(0, 0), (9, 0), (9, 4), (5, 1), (4, 1), (0, 4)])
@@ -17,7 +17,7 @@ make a `Picture` on an Axes, with a `Scale` that covers all points, and draw on 
     >>> save_svg(figure).startswith("<?xml")
     True
 
-There are separate functions for chains, shapes and exact fits:
+More functions draw chains, shapes and exact fits:
 
     >>> figure = make_figure()
     >>> picture = Picture(figure.axes[0], Scale.of([(-1, -1), (9, 4)]))
@@ -27,8 +27,8 @@ There are separate functions for chains, shapes and exact fits:
     >>> draw_exact_fits(picture, s, s.exact_fits, [s.trajectory])
     >>> save(figure, "out.svg")  # doctest: +SKIP
 
-Points have int or Fraction coordinates. `style` defines the look of each part. The package imports
-matplotlib only when it draws.
+Points have int or Fraction coordinates. `style` defines the look of each part. Matplotlib is
+imported when the first figure is drawn.
 """
 
 from exactsweep.canvas import style

@@ -12,7 +12,7 @@ from exactsweep.numbers.number import Vertex
 
 @tells_arguments
 def draw_chains(picture: Picture, chains: Mapping[str, Iterable[Vertex]]) -> None:
-    """Draw chains by name, each with its own colour and marker."""
+    """Draw named chains, each with its own color and marker."""
     for k, (name, chain) in enumerate(chains.items()):
         picture.line(chain, style.choose_chain_look(k), name)
 

@@ -1,4 +1,4 @@
-"""Vertices and edges of G and D by their index in contacts, and the points of contact."""
+"""The features of G and D in contact, and their points of contact."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ Ends = tuple[Point, Point]
 
 
 class SweepFeatures:
-    """The features of both polygons of a Sweep, by their index in its contacts."""
+    """The vertices and edges of both polygons of a Sweep, by their indices in contacts."""
 
     def __init__(self, s: SweepAnswer) -> None:
         self._reference = s.reference
@@ -37,14 +37,7 @@ class SweepFeatures:
         return Point(d.x - g.x + x, d.y - g.y + y)
 
     def spot(self, contact: Contact, position: Point) -> Ends:
-        """Return the common segment of two features at a position, by its ends; a point twice.
-
-        Example:
-            >>> from exactsweep import sweep
-            >>> s = sweep([(0, 0), (1, 0), (1, 1), (0, 1)], [(0, 0), (3, 0), (0, 3)])
-            >>> SweepFeatures(s).spot(Contact("EE", 2, 0), Point(2, -1)) == ((2, 0), (3, 0))
-            True
-        """
+        """Return the ends of the segment along which two features touch; equal ends for a point."""
         event, i, j = contact
         if event[1] == "V":
             return self.d_vertices[j], self.d_vertices[j]

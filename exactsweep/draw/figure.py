@@ -1,4 +1,4 @@
-"""Figures of matplotlib in the project's style, saved reproducibly."""
+"""Matplotlib figures in the project's style, saved reproducibly."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 
 SUFFIXES = (".svg", ".pdf", ".png")
 
-# Metadata of each format without the time and the program.
+# Metadata without the time and the program version.
 _MOST_AXES = 400
 _METADATA: dict[str, dict[str, Any]] = {
     ".svg": {"Date": None, "Creator": "exactsweep"},
@@ -25,22 +25,22 @@ _METADATA: dict[str, dict[str, Any]] = {
 
 
 def require_matplotlib() -> None:
-    """Raise DrawError if matplotlib is missing or does not load."""
+    """Raise DrawError if matplotlib is missing or fails to load."""
     with require_imports("matplotlib", "a picture", DrawError):
         import matplotlib  # noqa: F401
 
 
 @tells_arguments
 def make_figure(rows: int = 1, columns: int = 1, size: tuple[float, float] | None = None) -> Figure:
-    """Make a Figure in the project's style, with empty Axes and without a window.
+    """Make a Figure with empty Axes, without opening a window.
 
     Args:
-        rows: number of rows of Axes.
-        columns: number of Axes in a row.
-        size: width and height in inches; 7.2 and 4.8 by default. Files are cropped to the drawing.
+        rows: the number of rows of Axes.
+        columns: the number of Axes per row.
+        size: width and height in inches, by default 7.2 and 4.8. Saved files are cropped.
 
     Returns:
-        A Figure; its `axes` are a list of Axes, row by row.
+        A Figure; its `axes` are listed row by row.
 
     Raises:
         DrawError: matplotlib is not installed.
@@ -61,7 +61,7 @@ def read_suffix(path: str) -> str:
     """Return the suffix of a picture file, in lower case.
 
     Raises:
-        DrawError: the suffix is not that of a supported format.
+        DrawError: the format is not supported.
 
     Example:
         >>> read_suffix("fig/block.SVG")
@@ -76,7 +76,7 @@ def read_suffix(path: str) -> str:
 
 @tells_arguments
 def save(figure: Figure, path: str) -> None:
-    """Write a figure in the format of the suffix; reproducible for one version of matplotlib."""
+    """Save a figure; the suffix selects the format. Reproducible for a given matplotlib version."""
     suffix = read_suffix(path)
     with use_style():
         figure.savefig(path, format=suffix[1:], metadata=_METADATA[suffix], bbox_inches="tight")
@@ -84,7 +84,7 @@ def save(figure: Figure, path: str) -> None:
 
 @tells_arguments
 def save_svg(figure: Figure) -> str:
-    """Return a figure as an SVG document, reproducible as by `save`."""
+    """Return a figure as an SVG document, as reproducible as with `save`."""
     text = StringIO()
     with use_style():
         figure.savefig(text, format="svg", metadata=_METADATA[".svg"], bbox_inches="tight")

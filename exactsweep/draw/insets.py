@@ -12,17 +12,17 @@ from exactsweep.draw.picture import Picture
 from exactsweep.geometry.region import AnyPolygon
 from exactsweep.numbers.number import Point, Vertex
 
-# Ratios of sizes at which a polygon is enlarged, up to the resolution of floats.
+# Ratios of picture size and polygon size that call for a detail, up to the resolution of floats.
 _SMALL = range(25, 10**9)
 _MOST = 3
-# Relative to the picture's width: the width of a detail, the gaps between and above details.
+# Relative to the picture's width: the width of a detail, and the horizontal and vertical spacing.
 _WIDTH, _APART, _BELOW = 0.3, 0.35, 0.18
 # The size of a detail relative to that of the small polygon.
 _ROUND = Fraction(5, 2)
 
 
 class Detail(NamedTuple):
-    """An enlarged square of the plane: its lower left corner and the length of a side."""
+    """An enlarged square of the plane: its lower left corner and side length."""
 
     left: Fraction
     bottom: Fraction
@@ -41,7 +41,7 @@ class Detail(NamedTuple):
         return Point(left, bottom), Point(left + side, bottom + side)
 
     def is_near(self, other: Detail) -> bool:
-        """Decide whether another detail overlaps most of this one."""
+        """Decide whether two details mostly overlap."""
         reach = self.side / 2
         return abs(self.left - other.left) < reach and abs(self.bottom - other.bottom) < reach
 
@@ -52,14 +52,7 @@ def find_details(
     placed: Sequence[AnyPolygon],
     spots: Iterable[Vertex],
 ) -> list[Detail]:
-    """Choose at most three details: shapes less than 1/25 of the picture's size, or spots.
-
-    >>> from exactsweep import Polygon
-    >>> big, small = (Polygon([(0, 0), (n, 0), (0, n)]) for n in (1000, 1))
-    >>> for detail in find_details(big.vertices, big, [small], []):
-    ...     print(*detail)
-    -3/4 -3/4 5/2
-    """
+    """Choose up to three details: shapes under 1/25 of the picture's size, or spots."""
     corners = list(shown)
     boxes = [(min(values), max(values)) for values in zip(*corners, strict=True)]
     sides = [Fraction(high - low) for low, high in boxes]
@@ -95,7 +88,7 @@ def _middle(shape: AnyPolygon) -> Point:
 def draw_with_details(
     picture: Picture, details: Sequence[Detail], paint: Callable[[Picture], None]
 ) -> None:
-    """Draw a picture with frames of the details, the details below, to scale, and a legend."""
+    """Draw a picture and its legend, with frames around the details, and the details below."""
     paint(picture)
     for k, detail in enumerate(details):
         low, high = detail.corners

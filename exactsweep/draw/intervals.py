@@ -17,9 +17,9 @@ class ContactInterval(NamedTuple):
     """A part of an edge of a loop of positions along which the contacts are constant.
 
     Attributes:
-        edge: the index of the edge, from that vertex of the loop to the next.
-        start, end: the ends in the order of travel, Points.
-        contacts: tuple of all Contacts between start and end.
+        edge: the index of the edge, equal to that of its first vertex.
+        start, end: the ends, as Points, in the order of travel.
+        contacts: all contacts between start and end.
     """
 
     edge: int
@@ -36,15 +36,12 @@ class ContactInterval(NamedTuple):
 
 @tells_arguments
 def cut_trajectory(s: SweepAnswer) -> list[ContactInterval]:
-    """Cut the trajectory where a contact begins or ends.
-
-    Args:
-        s: a Sweep.
+    """Cut the trajectory of a Sweep where contacts begin or end.
 
     Returns:
-        list of ContactInterval, once around from the first vertex of the trajectory.
+        the intervals in order, starting at the first vertex of the trajectory.
 
-    Cost: that of `Sweep.contacts`, plus O(c log c) for each edge with c contacts, plus the output.
+    Cost: that of `Sweep.contacts`, plus O(c log c) for each edge with c contacts.
 
     Example:
         >>> from exactsweep import sweep
@@ -56,7 +53,7 @@ def cut_trajectory(s: SweepAnswer) -> list[ContactInterval]:
 
 
 def cut_loops(s: SweepAnswer, loops: Sequence[Sequence[Point]]) -> Iterator[list[ContactInterval]]:
-    """Yield the intervals of each loop of positions, as by `cut_trajectory`."""
+    """Yield the intervals of each loop of positions, like `cut_trajectory`."""
     features = SweepFeatures(s)
     for loop, contacts in zip(loops, s.contacts_along(loops), strict=True):
         yield _cut(features, loop, contacts)

@@ -1,4 +1,4 @@
-"""Pictures of no-fit polygons and of inner fits."""
+"""Pictures of no-fit polygons and inner fits."""
 
 from __future__ import annotations
 
@@ -36,15 +36,7 @@ if TYPE_CHECKING:
 class Positions(NamedTuple):
     """The contents of a picture of a no-fit polygon or an inner fit.
 
-    Attributes:
-        directrix: the stationary shape, a Region.
-        generatrix: the moving shape, a Region.
-        reference: the point of the moving shape that marks a position.
-        called: the names of both shapes and of the free regions.
-        exterior: the exterior of a no-fit polygon; None for an inner fit.
-        free: the free regions.
-        exact_fits: the exact fits.
-        placed: further stationary shapes.
+    `called` has the names of both shapes and of the free regions. An inner fit has no exterior.
     """
 
     directrix: Region
@@ -58,7 +50,6 @@ class Positions(NamedTuple):
 
     @classmethod
     def of(cls, found: NoFitAnswer | InnerFitAnswer) -> Positions:
-        """Collect the contents of a picture."""
         from exactsweep.evidence.no_fit import InnerFitAnswer
 
         if isinstance(found, InnerFitAnswer):
@@ -77,12 +68,12 @@ class Positions(NamedTuple):
 
     @property
     def loops(self) -> list[Polygon]:
-        """All boundaries of positions of overlap."""
+        """All boundary loops of positions with overlap."""
         regions = self.free if self.exterior is None else (self.exterior, *self.free)
         return [ring for region in regions for ring in (region.exterior, *region.holes)]
 
     def choose_positions(self) -> list[Point]:
-        """Choose positions to draw: in an exact fit of each kind, in a free region, and outside."""
+        """Choose positions to draw: exact fits of both kinds, a free one, and one outside."""
         segments, points = part_fits(self.exact_fits)
         found = [inside for _, inside in segments[:1]] + points[:1]
         found += [region.vertices[0] for region in self.free[:1]]
@@ -103,18 +94,18 @@ def plot_positions(
 
     Args:
         found: a NoFitPolygon or an InnerFit.
-        axes: as for `plot_sweep`.
-        positions: pairs of numbers, the positions in which to draw the moving shape; by default
-            some exact fits and free positions, and one on the exterior.
-        y_down: as for `plot_sweep`.
+        axes: see `plot_sweep`.
+        positions: positions at which to draw the moving shape, as pairs of numbers; by default,
+            some exact fits, free positions and a position on the exterior.
+        y_down: see `plot_sweep`.
 
     Returns:
-        The Axes.
+        the Axes.
 
     Raises:
-        DrawError, PolygonError, NumberError: as by `plot_sweep`.
+        DrawError, PolygonError, NumberError: see `plot_sweep`.
 
-    Cost: that of all loops and fits, and linear in their size.
+    Cost: linear in the size of the loops and fits, plus the cost of computing them.
 
     Example:
         >>> from exactsweep import no_fit_polygon

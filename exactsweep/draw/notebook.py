@@ -1,4 +1,4 @@
-"""Pictures and tables of sweeps, no-fit polygons and inner fits for notebooks."""
+"""HTML pictures and tables of sweeps, no-fit polygons and inner fits, for notebooks."""
 
 from __future__ import annotations
 
@@ -80,7 +80,7 @@ def draw_positions(found: NoFitAnswer | InnerFitAnswer) -> str:
 
 
 def show_positions(found: NoFitAnswer | InnerFitAnswer) -> str:
-    """Show a no-fit polygon or an inner fit as HTML: its picture, and sizes."""
+    """Return HTML of a no-fit polygon or an inner fit: its picture and a table of sizes."""
     from exactsweep.evidence.no_fit import NoFitAnswer
 
     shown = Positions.of(found)
@@ -101,7 +101,7 @@ def show_positions(found: NoFitAnswer | InnerFitAnswer) -> str:
 
 
 def show_sweep(s: SweepAnswer) -> str:
-    """Show a sweep as HTML: its picture, class, and the sizes of its loops."""
+    """Return HTML of a sweep: its picture, class, and the sizes of its loops."""
     rows = [
         ("class", CLASSES[s.kind]),
         ("monotone to", "no shared direction" if s.direction is None else write_pair(s.direction)),

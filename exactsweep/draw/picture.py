@@ -1,4 +1,4 @@
-"""Polygons and chains on Axes of matplotlib, at an exact scale."""
+"""Drawing of polygons and chains on matplotlib Axes, at an exact scale."""
 
 from __future__ import annotations
 
@@ -20,22 +20,22 @@ _LEGEND_LINE, _LEGEND_WIDTH = 0.18, 2.0
 _LEFT, _RIGHT, _ABOVE, _BELOW = 0.75, 0.1, 0.35, 0.55
 _LEAST_WIDTH = 0.5
 _LEGEND_COLUMNS = 3
-# The aspect of a picture whose axes have different units.
+# The aspect ratio of a picture with different units on the axes.
 _STRETCHED_ASPECT = 0.6
 
 
 class Picture:
-    r"""An Axes for shapes with exact coordinates.
+    r"""Matplotlib Axes for shapes with exact coordinates.
 
     Args:
-        axes: an Axes of matplotlib; its aspect and labels are set.
+        axes: an Axes, whose aspect and labels are set.
         scale: a Scale that covers the shapes.
         y_down: whether Y points down, as in SVG.
-        window: the lower left and the upper right corner of the visible part; by default the
-            picture shows everything.
+        window: the lower left and the upper right corner of the visible part; by default,
+            everything is visible.
 
     Attributes:
-        axes, scale, y_down: as given; `scale.place` returns the place of a point on the Axes.
+        axes, scale, y_down: see above; `scale.place` returns the position of a point on the Axes.
 
     Example:
         >>> from exactsweep import Polygon
@@ -73,19 +73,19 @@ class Picture:
             axes.yaxis.set_inverted(True)
 
     def area(self, loop: Iterable[Vertex], look: Look, label: str | None = None) -> None:
-        """Fill, hatch and outline a loop; equal labels share an entry of the legend."""
+        """Fill, hatch and outline a loop; equal labels share a legend entry."""
         self.shape([loop], look, label)
 
     def ring(
         self, outer: Iterable[Vertex], inner: Iterable[Vertex], look: Look, label: str | None = None
     ) -> None:
-        """Fill the area between two loops; `inner` lies in `outer`."""
+        """Fill the area between two loops, `inner` inside `outer`."""
         self.shape([outer, inner], look, label)
 
     def shape(
         self, rings: Iterable[Iterable[Vertex]], look: Look, label: str | None = None
     ) -> None:
-        """Fill the inside of the first loop minus those of the others, all counter-clockwise."""
+        """Fill the interior of the first loop minus those of the others, all counter-clockwise."""
         from matplotlib.patches import PathPatch
         from matplotlib.path import Path
 
@@ -117,7 +117,7 @@ class Picture:
     def lines(
         self, chains: Iterable[Iterable[Vertex]], look: Look, label: str | None = None
     ) -> None:
-        """Draw several chains as one item of the legend."""
+        """Draw several chains with a single legend entry."""
         parted = [place for chain in chains for place in ((nan, nan), *self.scale.places(chain))]
         xs, ys = ([place[axis] for place in parted[1:]] for axis in (0, 1))
         self.axes.plot(xs, ys, label=self._once(label), **look.as_line)
@@ -138,7 +138,7 @@ class Picture:
         return abs(high - low) / abs(right - left)
 
     def reserve(self, share: float) -> None:
-        """Reserve space below for details, as a share of the width."""
+        """Reserve space for details below the picture, as a share of its width."""
         self._reserved = share
 
     def show_window(self) -> None:
@@ -149,12 +149,12 @@ class Picture:
         self.axes.set(xticks=[], yticks=[], xlabel="", ylabel="")
 
     def legend(self) -> None:
-        """Put the legend right of the picture, or below it if the legend is taller."""
+        """Place the legend on the right of the picture, or below it if the legend is taller."""
         if not self.scale.is_true:
             self.axes.set_box_aspect(_STRETCHED_ASPECT)
         entries = len(self.axes.get_legend_handles_labels()[1])
         width, height = self._space()
-        # The ratio of height to width, with the details below.
+        # The aspect ratio including the details.
         whole = self.aspect + self._reserved
         drawn = min(width - _LEGEND_WIDTH, height / whole)
         fits_right = entries * _LEGEND_LINE <= drawn * whole
@@ -171,7 +171,7 @@ class Picture:
             self.axes.legend(loc="upper left", borderaxespad=0.0, **place)
 
     def _alone(self) -> Figure | None:
-        """Return the figure, if it has a layout and only this picture."""
+        """Return the figure if it has a layout and only these Axes."""
         from matplotlib.figure import Figure
 
         figure = self.axes.figure
@@ -192,7 +192,7 @@ class Picture:
         return width * space.width, height * space.height
 
     def _lay_out(self, drawn: float) -> None:
-        """Place the Axes with a width in inches, if they are alone."""
+        """Set the width of the Axes in inches if they are alone in their figure."""
         figure = self._alone()
         if figure is None:
             return

@@ -1,4 +1,4 @@
-"""Pictures of sweeps and of their parts."""
+"""Pictures of sweeps and their parts."""
 
 from __future__ import annotations
 
@@ -36,16 +36,13 @@ class Moving(Protocol):
     """A pair with a moving shape G: a Sweep, or the shapes of a no-fit polygon."""
 
     @property
-    def generatrix(self) -> AnyPolygon:
-        """G."""
+    def generatrix(self) -> AnyPolygon: ...
 
     @property
-    def directrix(self) -> AnyPolygon:
-        """D."""
+    def directrix(self) -> AnyPolygon: ...
 
     @property
-    def reference(self) -> Point:
-        """The point of G that marks a position."""
+    def reference(self) -> Point: ...
 
 
 @tells_arguments
@@ -58,22 +55,24 @@ def plot_sweep(
 ) -> Axes:
     """Draw a sweep: polygons, loops, undercuts, exact fits, and the trajectory by contact event.
 
+    If the reference point is far from G, the picture shows the path of G's first vertex instead.
+    For enlarged details, see `find_details`.
+
     Args:
         s: a Sweep.
-        axes: an Axes of matplotlib; by default a new figure of `matplotlib.pyplot`.
-        positions: pairs of numbers, the positions in which to draw G; by default those of
+        axes: a matplotlib Axes; by default, those of a new pyplot figure.
+        positions: positions at which to draw G, as pairs of numbers; by default those of
             `choose_telling_positions`.
-        y_down: whether Y points down, as in viewers of SVG.
+        y_down: whether Y points down, as in SVG viewers.
 
     Returns:
-        The Axes. If the reference point is far from G, the picture and the legend have the path of
-        the first vertex of G instead. Enlarged details are below; see `find_details`.
+        the Axes.
 
     Raises:
         DrawError: matplotlib is not installed.
         PolygonError, NumberError: a position is not a pair of numbers.
 
-    Cost: that of the loops, the contacts and the undercuts, and linear in their sizes.
+    Cost: linear in the size of the loops, contacts and undercuts, plus the cost of computing them.
 
     Example:
         >>> from exactsweep import sweep
@@ -104,7 +103,7 @@ def plot_sweep(
 
 
 def make_axes() -> Axes:
-    """Return the Axes of a new figure of `matplotlib.pyplot`."""
+    """Return the Axes of a new pyplot figure."""
     require_matplotlib()
     from matplotlib import pyplot
 
@@ -114,20 +113,15 @@ def make_axes() -> Axes:
 
 
 def read_positions(positions: Iterable[Iterable[object]]) -> list[Point]:
-    """Read positions of the reference point."""
+    """Convert pairs of numbers to positions."""
     return [read_point(place, f"position {k}") for k, place in enumerate(positions)]
 
 
 def find_anchor(s: Moving) -> Point:
-    """Return the anchor, the point of G whose path is drawn: the reference point or a vertex.
+    """Return the anchor, the point of G whose path is drawn.
 
-    It is a vertex if the distance of the reference point from G exceeds the sizes of G and D
-    together; else both polygons would be tiny in the picture.
-
-    >>> from exactsweep import sweep
-    >>> triangle, far = [(0, 0), (1, 0), (0, 1)], [(99, 0), (100, 0), (99, 1)]
-    >>> [find_anchor(sweep(g, triangle)) for g in (triangle, far)] == [(0, 0), (99, 0)]
-    True
+    It is the reference point, or a vertex of G if the reference point is so far from G that both
+    polygons would be tiny in the picture.
     """
     (left, bottom), (right, top) = s.generatrix.bounding_box
     low, high = s.directrix.bounding_box
@@ -138,7 +132,6 @@ def find_anchor(s: Moving) -> Point:
 
 
 def name_anchor(s: Moving) -> str:
-    """Describe the anchor."""
     if find_anchor(s) == s.reference:
         return "reference point of G"
     return f"vertex {s.generatrix.vertex_index(0)} of G"
@@ -151,7 +144,6 @@ def find_shift(s: Moving) -> Point:
 
 
 def trace_anchor(s: SweepAnswer) -> Polygon:
-    """Return the path of the anchor."""
     return s.trajectory.translated(find_shift(s))
 
 
@@ -163,9 +155,10 @@ def place_generatrix(s: Moving, position: Point) -> AnyPolygon:
 
 @tells_arguments
 def choose_telling_positions(s: SweepAnswer) -> list[Point]:
-    """Choose at most four positions to draw, far from each other.
+    """Choose up to four positions to draw, far from each other.
 
-    They close undercuts, or are inner ends of exact fits, or the first vertex of the trajectory.
+    These are positions that close undercuts, inner ends of exact fits, and the first vertex of the
+    trajectory.
     """
     corner = s.trajectory.vertices[0]
     closing = [undercut.positions[0] for undercut in s.undercuts]
@@ -176,7 +169,7 @@ def choose_telling_positions(s: SweepAnswer) -> list[Point]:
 
 
 def _far_apart(points: Iterable[Point], others: Iterable[Point], most: int) -> list[Point]:
-    """Choose points greedily, each as far as possible from the others and the earlier ones."""
+    """Choose points greedily, each as far as possible from all others."""
     far = list(others)
     listed = list(dict.fromkeys(points))
     off = {p: min(_square(p, other) for other in far) for p in listed}
@@ -194,7 +187,7 @@ def _square(p: Point, q: Point) -> Fraction:
 
 @tells_arguments
 def draw_loops(picture: Picture, s: SweepAnswer) -> None:
-    """Draw the swept area between the inner and the outer loop, and the directrix."""
+    """Draw the swept area, the loops and the directrix."""
     outer, inner = s.outer.vertices, s.inner.vertices
     unswept = [loop.vertices for loop in s.unswept]
     picture.shape([outer, inner, *unswept], style.SWEPT, "swept area")
@@ -220,7 +213,7 @@ def draw_undercuts(picture: Picture, undercuts: Iterable[Undercut]) -> None:
 
 @tells_arguments
 def draw_trajectory(picture: Picture, s: SweepAnswer) -> None:
-    """Draw the path of the anchor, each interval styled by its contact event."""
+    """Draw the path of the anchor, styled by contact event."""
     of = "trajectory" if find_anchor(s) == s.reference else f"path of {name_anchor(s)}"
     chains: dict[str, list[list[Point]]] = {}
     last = None
@@ -241,9 +234,9 @@ def draw_trajectory(picture: Picture, s: SweepAnswer) -> None:
 def draw_exact_fits(
     picture: Picture, s: Moving, fits: Iterable[Fit], loops: Iterable[Polygon]
 ) -> None:
-    """Mark exact fits as positions of the anchor, with hollow marks at ends on a loop.
+    """Draw exact fits as positions of the anchor, with hollow markers at ends on a loop.
 
-    More than 60 segments become thin lines without marks. A single position is a star.
+    More than 60 segments become thin lines without markers; isolated positions are stars.
     """
     segments, points = part_fits(fits)
     if segments:
@@ -263,7 +256,7 @@ def draw_exact_fits(
 
 
 def part_fits(fits: Iterable[Fit]) -> tuple[list[Fit], list[Point]]:
-    """Split exact fits into segments and single positions."""
+    """Split exact fits into segments and isolated positions."""
     listed = list(fits)
     return [fit for fit in listed if fit[0] != fit[1]], [p for p, q in listed if p == q]
 
@@ -294,7 +287,7 @@ def draw_contacts(picture: Picture, s: SweepAnswer, positions: Iterable[Point]) 
 
 
 def find_spots(s: SweepAnswer, positions: Iterable[Point]) -> dict[str, list[Ends]]:
-    """Find the points of contact at positions of the reference point, by event."""
+    """Return the points of contact at positions of the reference point, by event."""
     features = SweepFeatures(s)
     spots: dict[str, list[Ends]] = {}
     for position in positions:

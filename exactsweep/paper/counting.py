@@ -31,7 +31,6 @@ class OperationCount:
 
     @property
     def total(self) -> int:
-        """The sum of all counts."""
         return self.multiplications + self.comparisons + self.additions + self.slots
 
 
@@ -50,12 +49,10 @@ class Counted(int):
     # Fraction uses these two, so its results are counted ints as well.
     @property
     def numerator(self) -> Counted:
-        """The number."""
         return self
 
     @property
     def denominator(self) -> Counted:  # type: ignore[override]
-        """The number one."""
         return Counted(1)
 
 
@@ -85,7 +82,6 @@ for _kind, _make, _names in (
 
 
 def make_counted(chain: Iterable[Vertex]) -> list[tuple[Any, Any]]:
-    """Convert points to counted ints."""
     return [(Counted(x), Counted(y)) for x, y in chain]
 
 
@@ -128,7 +124,6 @@ class PairFamily(Protocol):
 
 
 def count_chains(pair: SweepPair) -> Chains:
-    """Convert the chains of a pair to counted ints."""
     return Chains(*map(make_counted, pair.chains))
 
 
@@ -145,7 +140,6 @@ def operations(run: Callable[[Chains], Iterable[Any]], chains: Chains) -> int:
 
 
 def vertices(run: Callable[[Chains], Iterable[Any]], chains: Chains) -> int:
-    """Count the vertices of the output."""
     return sum(1 for _ in run(chains))
 
 

@@ -34,7 +34,6 @@ PACKAGES = ("sympy", "matplotlib", "jinja2")
 
 
 def make_slug(text: str) -> str:
-    """Convert a name to a file name."""
     return re.sub(r"[^a-z0-9]+", "-", text.lower()).strip("-")
 
 
@@ -79,7 +78,6 @@ def _processor() -> str:
 
 
 def as_json(rows: Sequence[Finding], effort: Effort) -> dict[str, Any]:
-    """Return all findings of a run as JSON data."""
     return {
         "format": FORMAT,
         "version": 1,
@@ -120,7 +118,6 @@ def _growth_as_json(series: Growth) -> dict[str, Any]:
 
 
 def name_cases(name: str, found: Evidence) -> Iterator[tuple[str, Counterexample]]:
-    """Yield the counterexamples of a row with their file names."""
     for number, case in enumerate(found.cases, 1):
         stem = make_slug(name) + (f"-{number}" if number > 1 else "")
         yield f"counterexamples/{stem}.json", case

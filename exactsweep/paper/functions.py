@@ -71,7 +71,6 @@ def clip(chain: Sequence[Vertex], left: Fraction, right: Fraction) -> list[Verte
 
 
 def clip_to(chain: Sequence[Vertex], other: Sequence[Vertex]) -> list[Vertex]:
-    """Clip a chain to the x-range of another chain."""
     return clip(chain, Fraction(other[0][0]), Fraction(other[-1][0]))
 
 
@@ -86,7 +85,6 @@ def look_up(pair: SweepPair) -> ReferenceLoops:
 
 
 def look_up_bottom(pair: SweepPair, loop: str) -> list[Vertex]:
-    """Return the bottom chain of a loop by the definition."""
     return take_bottom(getattr(look_up(pair), loop))
 
 
@@ -130,7 +128,6 @@ def list_sub_chains(pair: SweepPair) -> tuple[list[list[Vertex]], list[list[Vert
 
 
 def lower_undercuts(s: Sweep) -> list[Undercut]:
-    """Return the undercuts of the lower sweep."""
     return [u for u in s.undercuts if u.bottom[0].x < u.bottom[-1].x]
 
 
@@ -154,16 +151,13 @@ def frame_around(shape: Polygon, part: AnyPolygon) -> Region:
 
 
 def show_fits(fits: Iterable[Fit]) -> str:
-    """Write exact fits on one line."""
     return "; ".join(f"({p.x}, {p.y}) to ({q.x}, {q.y})" for p, q in fits) or "none"
 
 
 def list_edges(corners: Iterable[P]) -> list[tuple[P, P]]:
-    """List the edges of a polygon."""
     first, *others = corners
     return list(pairwise([first, *others, first]))
 
 
 def write_chain(chain: Iterable[Vertex]) -> str:
-    """Write a chain on one line."""
     return " ".join(f"({x}, {y})" for x, y in chain)

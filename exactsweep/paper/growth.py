@@ -56,7 +56,6 @@ class Size:
 
     @property
     def ratio(self) -> float:
-        """The count divided by the bound."""
         return self.count / self.bound
 
 
@@ -100,7 +99,6 @@ class Growth:
 
     @property
     def last_rise(self) -> float:
-        """The factor by which the ratio rose in the last doubling."""
         return self._ratios[-1] / self._ratios[-2]
 
     def exponent(self, last: int = 0) -> float:
@@ -113,7 +111,6 @@ class Growth:
 
     @property
     def sizes(self) -> list[int]:
-        """The values of the doubled size."""
         return [point.n if self.varied == "n" else point.m for point in self.points]
 
     @property

@@ -24,50 +24,42 @@ def reverse_top(top: Sequence[Vertex]) -> Chain:
 
 
 def trajectory_cc(top: Sequence[Vertex], directrix: Sequence[Vertex]) -> VertexList:
-    """Run Trajectory_CC."""
     return cc.trajectory_cc(reverse_top(top), Chain.of(directrix)).points
 
 
 def sweep_inner_cc(top: Sequence[Vertex], directrix: Sequence[Vertex]) -> VertexList:
-    """Run SweepI_CC."""
     return cc.sweep_inner_cc(reverse_top(top), Chain.of(directrix)).points
 
 
 def sweep_outer_cc(
     top: Sequence[Vertex], bottom: Sequence[Vertex], directrix: Sequence[Vertex]
 ) -> VertexList:
-    """Run SweepO_CC."""
     return cc.sweep_outer_cc(reverse_top(top), Chain.of(bottom), Chain.of(directrix)).points
 
 
 def trajectory_cm(top: Sequence[Vertex], directrix: Sequence[Vertex]) -> Graph:
-    """Run Trajectory_CM."""
     return cm.trajectory_cm(reverse_top(top), Chain.of(directrix))
 
 
 def sweep_inner_cm(
     top: Sequence[Vertex], directrix: Sequence[Vertex], trajectory: Graph | None = None
 ) -> VertexList:
-    """Run SweepI_CM."""
     return cm.sweep_inner_cm(reverse_top(top), Chain.of(directrix), trajectory).points
 
 
 def sweep_outer_cm(
     top: Sequence[Vertex], bottom: Sequence[Vertex], directrix: Sequence[Vertex]
 ) -> Graph:
-    """Run SweepO_CM."""
     return cm.sweep_outer_cm(reverse_top(top), Chain.of(bottom), Chain.of(directrix))
 
 
 def trajectory_mm(top: Sequence[Vertex], directrix: Sequence[Vertex]) -> Graph:
-    """Run Trajectory_MM."""
     return mm.trajectory_mm(reverse_top(top), Chain.of(directrix))
 
 
 def sweep_mm(
     top: Sequence[Vertex], bottom: Sequence[Vertex], directrix: Sequence[Vertex]
 ) -> tuple[VertexList, VertexList]:
-    """Run Sweep_MM."""
     inner, outer = mm.sweep_mm(reverse_top(top), Chain.of(bottom), Chain.of(directrix))
     return inner.points, outer.points
 

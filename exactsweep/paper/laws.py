@@ -63,7 +63,6 @@ def _smaller(pair: SweepPair) -> Iterator[SweepPair]:
 
 
 def is_x_monotone(ring: Ring) -> bool:
-    """Decide whether a canonical ring consists of two X-monotone chains."""
     with suppress(ValueError):
         bottom, top = split(ring)
         return all(map(Chain.of, (bottom, inverse(top))))

@@ -66,7 +66,6 @@ def _load() -> dict[str, Any]:
 
 
 def read_rows() -> list[dict[str, Any]]:
-    """Return the rows as plain dictionaries."""
     rows: list[dict[str, Any]] = _load()["claim"]
     return rows
 

@@ -38,13 +38,11 @@ class SweepPair(NamedTuple):
 
     @property
     def chains(self) -> Chains:
-        """The chains of the lower sweep."""
         bottom, top = split(self.generatrix)
         return Chains(top, bottom, split(self.directrix)[0])
 
 
 def read_pair(rings: Iterable[Iterable[Sequence[int]]]) -> SweepPair:
-    """Convert two lists of vertices to a pair."""
     return SweepPair(*([(x, y) for x, y in ring] for ring in rings))
 
 

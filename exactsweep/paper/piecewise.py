@@ -46,7 +46,6 @@ class _ScaledLine(NamedTuple):
 
 
 def mirror(function: Iterable[LinearPiece]) -> PiecewiseLinear:
-    """Negate a function."""
     return tuple(LinearPiece(x0, -y0, x1, -y1) for x0, y0, x1, y1 in function)
 
 

@@ -20,7 +20,6 @@ SETTINGS = read_toml("plots.toml")
 
 
 def available() -> bool:
-    """Decide whether matplotlib is installed."""
     return find_spec("matplotlib") is not None
 
 

@@ -75,7 +75,6 @@ def render(
 
 
 def title_section(section: str) -> str:
-    """Return the heading of a section of the paper."""
     return f"Section {section}" if section[0].isdigit() else section
 
 
@@ -196,7 +195,6 @@ def miss(sampled: int) -> str:
 
 
 def name_plot(name: str) -> str:
-    """Return the file name of a row's plot, without suffix."""
     return f"growth-{make_slug(name)}"
 
 
@@ -234,7 +232,6 @@ doi:10.1007/s00454-005-1206-y'
 
 
 def read_bibtex() -> str:
-    """Return the text of references.bib."""
     return files("exactsweep.paper").joinpath("references.bib").read_text(encoding="utf-8")
 
 

@@ -44,7 +44,6 @@ AT_A_WALL = SweepPair([(0, 0), (1, 0), (1, 1)], [(0, 4), (1, 1), (1, 0), (3, 5)]
 
 
 def list_lower_steps(s: Sweep) -> list[Step]:
-    """List the steps of the lower sweep."""
     return [step for step in explain(s) if step.half == "lower"]
 
 

@@ -121,7 +121,6 @@ def inner_fit_is_in_a_frame(pair: SweepPair) -> Iterator[str]:
         yield "the frame's no-fit polygon and the inner fit differ in their regions"
 
     def is_inside(t: Point) -> bool:
-        """Decide whether the part is inside the frame."""
         boxes = frame.bounding_box, part.translated(t).bounding_box
         (left, low), (right, high), (a, b), (c, d) = chain(*boxes)
         return left < a and low < b and c < right and d < high

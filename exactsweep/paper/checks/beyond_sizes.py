@@ -18,7 +18,6 @@ from exactsweep.procedures.segments import find_contact_segments
 
 
 def holes(pair: SweepPair) -> int:
-    """Count the holes of the no-fit polygon."""
     return len(no_fit_polygon(*pair[::-1]).holes)
 
 

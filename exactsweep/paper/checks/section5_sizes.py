@@ -139,7 +139,6 @@ def fill_windows_of_windows(effort: Effort) -> Iterator[Observation]:
 
 
 def sizes_of(half: Chains) -> tuple[int, int, int]:
-    """Return m_b, n_t and n_b of a lower sweep."""
     return len(half.directrix) - 1, len(half.top) - 1, len(half.bottom) - 1
 
 

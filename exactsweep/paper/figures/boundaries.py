@@ -10,7 +10,6 @@ from exactsweep.paper.kernel import find_inner, find_trajectory, sweep_mm
 
 
 def compute() -> PaperFigure:
-    """Compute the figure."""
     s = sweep_example()
     half = take_half(s)
     # As defined, the inner boundary is the top chain of the area covered in the lower sweep, which

@@ -17,7 +17,6 @@ PLACE = Point(Fraction(-9), Fraction(0))
 
 
 def compute() -> PaperFigure:
-    """Compute the figure."""
     s = sweep(*ceilings(M, N))
     lower = sorted(lower_undercuts(s), key=lambda u: u.bottom[0])
     # The points between two undercuts, at which G touches the ceiling.

@@ -17,7 +17,6 @@ POLYGONS = {"D": DIRECTRIX, "G": [(2 * x, 2 * y) for x, y in GENERATRIX]}
 
 
 def compute() -> PaperFigure:
-    """Compute the figure."""
     return join_panels({letter: _show(letter, ring) for letter, ring in POLYGONS.items()})
 
 

@@ -91,36 +91,29 @@ class PanelDrawer:
         return Extent.around(points, title, entry.get("margins", (4, 4, 4, 4)))
 
     def draw(self, picture: Picture) -> None:
-        """Follow the instructions."""
         self.picture = picture
         for kind, *arguments in self.instructions:
             getattr(self, kind)(*arguments)
 
     def area(self, what: Any, look: str) -> None:
-        """Fill and outline loops."""
         for loop in self._chains(what):
             self.picture.area(loop, find_look(look))
 
     def ring(self, outer: Any, inner: Any, look: str) -> None:
-        """Fill the area between two loops."""
         self.picture.ring(self._find(outer), self._find(inner), find_look(look))
 
     def line(self, what: Any, look: str) -> None:
-        """Draw chains."""
         for points in self._chains(what):
             self.picture.line(points, find_look(look))
 
     def loop(self, what: Any, look: str) -> None:
-        """Draw loops."""
         for points in self._chains(what):
             self.picture.line(points, find_look(look), closed=True)
 
     def dots(self, what: Any, look: str = "DOT") -> None:
-        """Mark points."""
         self.picture.lines([[point] for point in self._points(what)], find_look(look))
 
     def arrow(self, what: Any, look: str = "TRAJECTORY", head: str = "-|>") -> None:
-        """Draw an arrow along each chain of two points."""
         color, dash = find_look(look).color, find_look(look).dash
         for ends in self._chains(what):
             start, end = self.picture.scale.places(ends)

@@ -25,7 +25,6 @@ DIRECTRIX = [(0, 5), (2, 1), (5, 0), (8, 4), (10, 0), (14, 1), (16, 5), (12, 7),
 
 
 def compute() -> PaperFigure:
-    """Compute the figure."""
     s = sweep(GENERATRIX, DIRECTRIX, reference=(2, 0))
     half = take_half(s)
     chain = half.directrix

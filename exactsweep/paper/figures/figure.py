@@ -74,7 +74,6 @@ def join_panels(panels: Mapping[str, PaperFigure]) -> PaperFigure:
 
 
 def load(name: str) -> PaperFigure:
-    """Import a figure's module and compute the figure."""
     return cast(PaperFigure, import_module(f"exactsweep.paper.figures.{name}").compute())
 
 
@@ -101,12 +100,10 @@ def take_half(s: Sweep) -> Chains:
 
 
 def place(s: Sweep, positions: Iterable[Point]) -> list[Loop]:
-    """Place G with its reference point at each of some positions."""
     return [place_generatrix(s, position).vertices for position in positions]
 
 
 def write_list(values: Iterable[object]) -> str:
-    """Join values with commas."""
     return ", ".join(map(str, values))
 
 
@@ -116,5 +113,4 @@ def find_middle(p: Vertex, q: Vertex, *, share: Fraction = Fraction(1, 2)) -> Po
 
 
 def shift(points: Iterable[Vertex], by: Vertex) -> list[Vertex]:
-    """Translate points by a vector."""
     return [(x + by[0], y + by[1]) for x, y in points]

@@ -10,7 +10,6 @@ from exactsweep.sweep import no_fit_polygon
 
 
 def compute() -> PaperFigure:
-    """Compute the figure."""
     s = sweep_example()
     inverted = invert_generatrix(s)
     outside = no_fit_polygon(s.trajectory, inverted).exterior

@@ -47,7 +47,6 @@ class Widths(NamedTuple):
         return Point(start[0] + along * dx - across * dy, start[1] + along * dy + across * dx)
 
     def turn_at(self, p: Vertex) -> list[Vertex]:
-        """Return I(G) at a position."""
         return shift(invert_generatrix(self.sweep).vertices, p)
 
     def find_foot(self, p: Point) -> Point:
@@ -110,7 +109,6 @@ def _show(letter: str, found: Widths, across: Sequence[Point], share: Fraction) 
 
 
 def compute() -> PaperFigure:
-    """Compute the figure."""
     first, near = measure_widths()
     whole = PaperFigure(
         laws=[

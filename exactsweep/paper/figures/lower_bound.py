@@ -63,7 +63,6 @@ def _show(letter: str, s: Sweep) -> PaperFigure:
 
 
 def compute() -> PaperFigure:
-    """Compute the figure."""
     first, second = sweep_example(1), sweep_example(2)
     facts: list[tuple[str, object]] = []
     laws: list[tuple[str, object, object]] = [

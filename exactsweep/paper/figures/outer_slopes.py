@@ -24,7 +24,6 @@ from exactsweep.paper.kernel import sweep_outer_cc
 
 
 def compute() -> PaperFigure:
-    """Compute the figure."""
     s, path, edges = sweep_example(), find_stations(), list_edges()
     half, sides, order = take_half(s), sort_by_slope("D_b", "G_t"), sort_by_slope(*edges)
     between = [

@@ -87,7 +87,6 @@ def _show(
 
 
 def compute() -> PaperFigure:
-    """Compute the figure."""
     called = {name for call in PRINTED for name in call}
     whole = PaperFigure(
         laws=[

@@ -38,7 +38,6 @@ class Extent(NamedTuple):
 
     @property
     def title_height(self) -> int:
-        """The height of the title, in points."""
         return 12 if self.title else 0
 
     def measure(self, unit: float) -> tuple[float, float]:

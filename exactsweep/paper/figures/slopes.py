@@ -36,7 +36,6 @@ class Move(NamedTuple):
 
     @property
     def slope(self) -> Rational:
-        """The slope of the edge."""
         return Fraction(self.by[1]) / self.by[0]
 
 
@@ -56,13 +55,11 @@ def list_edges() -> dict[str, list[Move]]:
 
 
 def sort_by_slope(*owners: str) -> list[Move]:
-    """Sort the edges of some chains by slope."""
     found = list_edges()
     return sorted((move for owner in owners for move in found[owner]), key=lambda m: m.slope)
 
 
 def lay(start: Vertex, moves: Sequence[Move]) -> list[Point]:
-    """Join edges to a path."""
     return [Point(Fraction(x), Fraction(y)) for x, y in walk((m.by for m in moves), start)]
 
 
@@ -77,7 +74,6 @@ def write_slope(move: Move) -> str:
 
 
 def compute() -> PaperFigure:
-    """Compute the figure."""
     s, path, half = sweep_example(), find_stations(), take_half(sweep_example())
     found = shift(trajectory_cc(half.top, half.directrix), s.reference)
     across = [(x, 0) for ring in place(s, path[: STEPS + 1]) for x, _ in ring]

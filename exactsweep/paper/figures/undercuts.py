@@ -33,13 +33,11 @@ def sweep_examples() -> tuple[Sweep, Sweep]:
 
 
 def find_undercut(s: Sweep) -> Undercut:
-    """Return the only undercut."""
     (found,) = s.undercuts
     return found
 
 
 def compute() -> PaperFigure:
-    """Compute the figure."""
     panels = zip("ab", sweep_examples(), ("point", "segment"), strict=True)
     return join_panels({letter: _show(letter, s, kind) for letter, s, kind in panels})
 

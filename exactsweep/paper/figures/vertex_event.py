@@ -16,7 +16,6 @@ OFFSETS = {"VE": (-10, 6), "EV": (4, -10)}
 
 
 def compute() -> PaperFigure:
-    """Compute the figure."""
     s = sweep_examples()[1]
     every = cut_trajectory(s)
     alone = [segment for segment in every if segment.event == "VE"]
