@@ -1,4 +1,4 @@
-"""The command `python -m exactsweep.lessons`: run all lessons and store their output."""
+"""The command `python -m exactsweep.lessons`, which runs all lessons and stores their output."""
 
 from exactsweep.lessons.notebook import (
     FOLDER,

@@ -1,4 +1,4 @@
-"""Reading, running and writing notebooks without Jupyter."""
+"""Notebooks without Jupyter: reading, running and writing."""
 
 from __future__ import annotations
 
@@ -17,7 +17,6 @@ from exactsweep.words import suggest
 Notebook = dict[str, Any]
 
 FOLDER = Path(__file__).parent
-"""The folder of the lessons."""
 
 _NAMES = ("gallery", "tour", "sweeps", "paper", "judging", "layouts")
 
@@ -38,44 +37,34 @@ def list_titles() -> dict[str, str]:
 
 @tells_arguments
 def read_notebook(name: str) -> Notebook:
-    """Read a lesson.
-
-    Args:
-        name: one of `list_titles`.
-
-    Returns:
-        The document in the format of notebooks.
+    """Return a lesson, one of `list_titles`, as a notebook document.
 
     Example:
         >>> read_notebook("tour")["cells"][0]["cell_type"]
         'markdown'
     """
     if name not in _NAMES:
-        near = suggest(str(name), _NAMES) or f"; there are {', '.join(_NAMES)}"
+        near = suggest(str(name), _NAMES) or f"; the lessons are {', '.join(_NAMES)}"
         raise ExactSweepError(f"no lesson {quote(name)}{near}")
     found: Notebook = json.loads((FOLDER / f"{name}.ipynb").read_text(encoding="utf-8"))
     return found
 
 
 def write_notebook(path: Path, notebook: Notebook) -> None:
-    """Write a notebook in the layout of Jupyter."""
     text = json.dumps(notebook, indent=1, ensure_ascii=False)
     path.write_text(f"{text}\n", encoding="utf-8", newline="\n")
 
 
 @tells_arguments
 def run_notebook(notebook: Notebook) -> Notebook:
-    """Run the cells of a notebook in order, as Jupyter would.
-
-    Args:
-        notebook: as `read_notebook` returns it.
+    """Run the cells of a notebook in order, like Jupyter.
 
     Returns:
-        The notebook with the output of each cell: its prints, its last value as text, HTML or SVG,
-        and its figures of `matplotlib.pyplot` as SVG.
+        The notebook with the output of each cell: printed text, the last value as text, HTML or
+        SVG, and pyplot figures as SVG.
 
     Raises:
-        Exception: any exception of a cell.
+        Exception: a cell raised it.
 
     Example:
         >>> cell = {"cell_type": "code", "source": ["6 * 7"]}

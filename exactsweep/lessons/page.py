@@ -10,13 +10,9 @@ _KINDS = ("text/html", "image/svg+xml", "text/plain")
 
 @tells_arguments
 def render_lesson(name: str) -> str:
-    """Render a lesson as one HTML page, without running it.
+    """Render a lesson, one of `list_titles`, as an HTML page, without running it.
 
-    Args:
-        name: one of `list_titles`.
-
-    Returns:
-        The page; it follows the light or dark mode of the browser.
+    The page follows the light or dark mode of the browser.
 
     Example:
         >>> "<h1>The gallery</h1>" in render_lesson("gallery")

@@ -1,9 +1,9 @@
 // Contacts of G at a stop, computed on demand in exact arithmetic. Floats only discard features
-// that are far apart: places are near 1, and their errors far below that.
+// that are far apart; places are near 1, and their errors are far below this distance.
 const FAR = 1e-7;
 
-// All contacts at an exact position, as [event, index in G, index in D]: VV of equal vertices,
-// EV and VE of a vertex inside an edge, EE of edges that overlap in positive length.
+// All contacts at an exact position, as [event, index in G, index in D]: VV for equal vertices,
+// EV and VE for a vertex inside an edge, EE for edges that share a segment.
 function contactsAt(position, [dx, dy]) {
   const { generatrix: g, directrix: d } = data;
   const moved = g.places.map((c, i) => c + (i % 2 ? dy : dx));
@@ -24,7 +24,7 @@ function contactsAt(position, [dx, dy]) {
     if (where === "inside") found.push(["EV", g.edges[i], d.vertices[j]]);
     if (where) pairs.push([i, j], [i, d.before[j]]);
   }
-  // Of two overlapping edges, one has an end on the other.
+  // If two edges overlap, an end of one is on the other.
   const seen = new Set();
   for (const [i, j] of pairs) {
     if (seen.has(`${i} ${j}`)) continue;
@@ -35,7 +35,7 @@ function contactsAt(position, [dx, dy]) {
   return found.sort(([a, i, j], [b, k, l]) => (a < b ? -1 : a > b ? 1 : i - k || j - l));
 }
 
-// Instantaneous contacts at a stop, without those implied by a contact of two edges.
+// Momentary contacts at a stop, except those implied by a contact of two edges.
 function briefContacts(track, k) {
   track.brief ||= [];
   if (track.brief[k]) return track.brief[k];
@@ -48,7 +48,7 @@ function briefContacts(track, k) {
   return track.brief[k];
 }
 
-// Contacts without EV and VE that an EE contact implies.
+// Contacts except EV and VE contacts that an EE contact implies.
 function withoutParts(contacts, all) {
   const parts = new Set();
   for (const [event, i, j] of all) {
@@ -64,7 +64,7 @@ function endsOf({ vertices, edgeOf, after }, number) {
   return [vertices[k], vertices[after[k]]];
 }
 
-// The exact vertices of a polygon moved by a vector, each parsed once.
+// The exact vertices of a translated polygon, cached.
 function cornersOf({ exact }, by) {
   const read = new Map();
   return (k) => {
@@ -79,7 +79,7 @@ function overlap([a, b, c, d], [e, f, g, h]) {
   return [Math.max(a, e) - FAR, Math.max(b, f) - FAR, Math.min(c, g) + FAR, Math.min(d, h) + FAR];
 }
 
-// Candidate pairs of a vertex and an edge of two polygons in a box.
+// Candidate pairs of a vertex of one polygon and an edge of another in a box.
 function* near(points, one, places, other, [left, low, right, high]) {
   const edges = [];
   for (let j = 0; j < other.after.length; j++) {
@@ -100,7 +100,7 @@ function* near(points, one, places, other, [left, low, right, high]) {
   }
 }
 
-// Position of a point on an edge: "start", "inside", "end" or "".
+// The position of a point on an edge: "start", "inside", "end", or "" if it is off the edge.
 function between(point, start, end) {
   if (rational.areEqual(point, start)) return "start";
   if (rational.areEqual(point, end)) return "end";
@@ -111,7 +111,7 @@ function between(point, start, end) {
 function overlapAlong(a, b, c, d) {
   const [u, v, w] = [rational.vector(a, b), rational.vector(a, c), rational.vector(a, d)];
   if (rational.cross(u, v) !== 0n || rational.cross(u, w) !== 0n) return false;
-  // Numerators of parameters along the edge; b is that of its end.
+  // Numerators of parameters along edge ab.
   const along = (point) => rational.scalar(u, rational.vector(a, point));
   const [end, ...others] = [b, c, d].map(along);
   const [low, high] = rational.isLess(others[0], others[1]) ? others : others.reverse();

@@ -1,10 +1,10 @@
 // Pointer, wheel, touch, keyboard and buttons.
 
-// Slow drawings move as an image until the pointer rests.
+// While the pointer moves, slow drawings are moved as an image.
 const REST = 120;
 let resting = null;
 
-// Whether arrow keys on the picture move G: after a drag.
+// What the arrow keys move when the picture has the focus: G after a drag.
 let arrowsMove = "picture";
 
 const isStill = matchMedia("(prefers-reduced-motion: reduce)").matches;
@@ -98,7 +98,7 @@ const pans = { ArrowRight: [-1, 0], ArrowLeft: [1, 0], ArrowUp: [0, 1], ArrowDow
 document.documentElement.addEventListener("keydown", (event) => {
   if (event.ctrlKey || event.metaKey || event.altKey) return;
   const { key, target } = event;
-  // Leave keys to the panel for scrolling, the space bar to buttons, and all keys to lists.
+  // The panel needs its keys for scrolling, buttons the space bar, and lists all keys.
   const isOwn = target.matches("select") || target.closest("aside")
     ? slides[key] || [" ", "PageUp", "PageDown", "Home", "End"].includes(key)
     : key === " " && target.matches("button");
@@ -124,7 +124,7 @@ for (const button of document.querySelectorAll("[data-copy]")) {
   });
 }
 
-// Without access to the clipboard, a page may still copy a selection.
+// Without clipboard access, a page can still copy a selection.
 async function copied(text) {
   try {
     await navigator.clipboard.writeText(text);
@@ -180,7 +180,7 @@ for (const item of document.querySelectorAll(".of-sweep")) item.hidden = data.as
 element("stretched").hidden = !data.stretched;
 element("incomplete").hidden = data.hasMeetings;
 
-// For scripts: the exact position of G, its drawn vertices, and short forms of numbers.
+// An interface for scripts.
 window.exactsweep = {
   track: () => stops.name,
   position: () => exactPosition().map(rational.text),

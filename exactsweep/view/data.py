@@ -1,8 +1,8 @@
 """Data of the page: exactly scaled coordinates as floats, and exact coordinates as text.
 
 A stop is a vertex of a track, or a point of an edge where a contact begins or ends, two vertices
-meet, or G closes an undercut. Contacts are constant between stops. Large pairs have no stops where
-two vertices meet. The page itself computes the contacts at a stop.
+meet, or G closes an undercut. Contacts are constant between stops. For large pairs, meetings of two
+vertices are not stops. The page computes the contacts at a stop.
 """
 
 from __future__ import annotations
@@ -31,12 +31,7 @@ if TYPE_CHECKING:
 
 
 class Track(NamedTuple):
-    """A loop of positions along which G moves.
-
-    Attributes:
-        name: the name of the track.
-        corners: the vertices of the loop; for an exact fit the two ends, traced in both directions.
-    """
+    """A loop of positions along which G moves; an exact fit is traced back and forth."""
 
     name: str
     corners: Sequence[Point]
@@ -51,7 +46,6 @@ class Stop(NamedTuple):
 
 
 def list_tracks(s: SweepAnswer) -> list[Track]:
-    """List the trajectory, the holes of the no-fit polygon and the exact fits."""
     loops = [s.trajectory.vertices, *(hole.vertices for hole in s.no_fit_holes)]
     return _name_tracks(loops, s.exact_fits, "the trajectory")
 
@@ -59,7 +53,7 @@ def list_tracks(s: SweepAnswer) -> list[Track]:
 def _name_tracks(
     loops: Sequence[Sequence[Point]], fits: Iterable[Fit], first: str = ""
 ) -> list[Track]:
-    """Name loops and exact fits; `first` names a first loop that is an exterior."""
+    """Name loops and exact fits; `first` is the name of the exterior, if it is the first loop."""
     found = [Track(first, loops[0])] if first else []
     word = "hole" if first else "loop"
     found += [Track(f"{word} {k}", loop) for k, loop in enumerate(loops[len(found) :])]
@@ -68,14 +62,11 @@ def _name_tracks(
 
 
 def track_stops(s: SweepAnswer, listed: Sequence[Track]) -> tuple[list[list[Stop]], bool]:
-    """Find all stops of tracks, from the first vertex once around.
+    """Return the stops of each track, and whether meetings of two vertices are included.
 
-    Returns:
-        A list of Stop for each track, and whether meetings of two vertices are included. The
-        `vertex` of a Stop is its index in the track, or None inside an edge.
-
-    Cost: that of `Sweep.contacts_along`, `undercuts`, `exact_fits` and `Meetings`, plus O(log u)
-    for each interval, for u positions of undercuts and ends of exact fits.
+    The `vertex` of a Stop is its index in the track, or None inside an edge. Cost: that of
+    `Sweep.contacts_along`, `undercuts`, `exact_fits` and `Meetings`, plus O(log u) for each
+    interval, for u positions of undercuts and ends of exact fits.
     """
     meetings = find_meetings(s, sum(len(track.corners) for track in listed))
     loops = [track.corners for track in listed if len(track.corners) > 1]
@@ -88,7 +79,7 @@ def _cut_tracks(
     landmarks: Sequence[Point],
     meetings: Meetings | None,
 ) -> list[list[Stop]]:
-    """Cut the intervals of tracks at landmarks and meetings; single positions have none."""
+    """Cut the intervals of tracks at landmarks and meetings, except those of single positions."""
     found = []
     for _, corners in listed:
         if len(corners) == 1:
@@ -113,19 +104,17 @@ def gather_page_data(
     y_down: bool = False,
     tell: Callable[[str], object] = str,
 ) -> dict[str, Any]:
-    """Collect the data of the page as plain JSON data.
+    """Collect the data of the page of a Sweep as JSON data.
 
     Args:
-        s: a Sweep.
+        s: the Sweep.
         names: the names of G and D.
         y_down: whether Y points down.
-        tell: a function called with the name of each long step before it begins.
+        tell: a callback that receives the name of each long step.
 
     Returns:
         A dict. Scaled coordinates are flat lists x, y, x, y, ... of floats, for G relative to the
-        anchor. "exact" has the coordinates as strings in the same order.
-
-    Cost: that of `track_stops` and of the loops.
+        anchor. "exact" holds the coordinates as strings, in the same order.
     """
     tell("the loops")
     outer, moved = s.outer.vertices, trace_anchor(s).vertices
@@ -170,21 +159,10 @@ def gather_positions(
     names: tuple[str, str] | None = None,
     y_down: bool = False,
 ) -> dict[str, Any]:
-    """Collect the data of the page of a no-fit polygon or an inner fit as plain JSON data.
+    """Collect the data of the page of a no-fit polygon or an inner fit as JSON data.
 
-    Stops are the vertices of loops, ends of exact fits on them, and meetings of two vertices, where
-    contacts begin and end.
-
-    Args:
-        found: a NoFitPolygon or an InnerFit.
-        names: the names of the moving and of the stationary shape.
-        y_down: whether Y points down.
-
-    Returns:
-        As `gather_page_data`, without the loops of a sweep.
-
-    Raises:
-        DrawError: there is no position.
+    Stops are the vertices of loops, ends of exact fits on loops, and meetings of two vertices.
+    Raises DrawError if there is no position. See `gather_page_data` for the arguments.
     """
     shapes = Positions.of(found)
     is_outside = shapes.exterior is not None
@@ -224,7 +202,7 @@ def _gather_tracks(
     *,
     outside: int,
 ) -> dict[str, Any]:
-    """Collect the tracks by name, loops first, and the exact fits with their ends on loops."""
+    """Collect the tracks, loops first, and the exact fits with a mark for ends on loops."""
     loops = len(stops) - len(fits)
     on_loops = {stop.position for on_track in [*stops.values()][:loops] for stop in on_track}
     return {
@@ -254,7 +232,6 @@ def gather_shapes(
     y_down: bool,
     where: str = "around",
 ) -> dict[str, Any]:
-    """Collect the two shapes, the scale and the names."""
     called = f"{title} of " if names is None else f"{f' {where} '.join(names)}: "
     return {
         "title": f"{called}{len(s.generatrix)} {where} {len(s.directrix)} vertices",
@@ -273,13 +250,13 @@ def gather_shapes(
 
 
 def show_points(scale: Scale, points: Sequence[Point]) -> dict[str, Any]:
-    """Return the scaled coordinates of points, and the exact ones as text."""
+    """Return the scaled and the exact coordinates of points."""
     places = [c for point in points for c in scale.place(point)]
     return {"places": places, "exact": _exact(points)}
 
 
 def show_positions(s: Moving, scale: Scale, points: Sequence[Point]) -> dict[str, Any]:
-    """Return the scaled positions of the anchor for positions of the reference point."""
+    """Return scaled positions of the anchor and exact positions of the reference point."""
     return {**show_points(scale, move_to_anchor(points, s)), "exact": _exact(points)}
 
 

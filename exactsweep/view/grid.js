@@ -1,7 +1,6 @@
-// A grid with numbers at the edges: coordinates minus the origin, divided by the unit, if the axis
-// has them.
+// A grid with coordinates at the edges, shifted and scaled like the axes.
 
-// Least distance of lines, and distance of numbers from the edge, in pixels.
+// The minimum distance of lines, and the distance of numbers from the edge, in pixels.
 const MESH = 70;
 const INSET = 4;
 
@@ -14,7 +13,7 @@ function drawGrid(context, view, axes, color) {
     const isX = axis === 0;
     const [low, high] = [view.place(0, height)[axis], view.place(width, 0)[axis]].sort((a, b) => a - b);
     const step = roundStep(((high - low) * MESH) / (isX ? width : height));
-    // At high zoom, floats are too coarse for a grid.
+    // At high zoom levels, floats are too coarse for a grid.
     if (!(step > 1e-12 * Math.max(Math.abs(low), Math.abs(high)))) continue;
     const digits = Math.max(0, -Math.floor(Math.log10(step) + 1e-9));
     for (let k = Math.ceil(low / step); k * step <= high; k++) {
@@ -28,7 +27,7 @@ function drawGrid(context, view, axes, color) {
       context.textAlign = isX ? "center" : "right";
       context.textBaseline = isX ? "bottom" : "middle";
       const number = k ? (k * step).toFixed(Math.min(digits, 20)) : "0";
-      // Keep the corner free for the names of axes.
+      // Leave the corner free for the names of the axes.
       if (isX ? at > 60 && at < width - 120 : at > 46 && at < height - 30) {
         context.fillText(number, isX ? at : width - INSET, isX ? height - INSET : at);
       }
@@ -40,7 +39,7 @@ function drawGrid(context, view, axes, color) {
   context.fillText(`${nameOf("x", axes[0])}, ${nameOf("y", axes[1])}`, width - INSET, height - INSET);
 }
 
-// 1, 2 or 5 times a power of ten.
+// Round up to 1, 2 or 5 times a power of ten.
 function roundStep(least) {
   const unit = 10 ** Math.floor(Math.log10(least));
   return [1, 2, 5, 10].find((times) => times * unit >= least) * unit;

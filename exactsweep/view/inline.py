@@ -1,4 +1,4 @@
-"""The interactive page inside a notebook."""
+"""The interactive page in a notebook."""
 
 from __future__ import annotations
 
@@ -12,16 +12,14 @@ if TYPE_CHECKING:
 
 
 class InlinePage:
-    """The page of a sweep as the value of a notebook cell.
+    """The page of a Sweep as the value of a notebook cell.
 
     Args:
-        s: a Sweep.
-        height: the height of its frame, in pixels.
+        s: the Sweep.
+        height: the height of the frame in pixels.
 
     Attributes:
-        html: the page, as by `make_page`.
-
-    Cost: that of `make_page`.
+        html: the page as `make_page` returns it.
 
     Example:
         >>> from exactsweep import sweep
@@ -39,7 +37,7 @@ class InlinePage:
         return f"<InlinePage: {self._title}>"
 
     def _repr_html_(self) -> str:
-        # Scripts in a sandboxed frame have no access to the notebook.
+        # Scripts in a sandboxed frame cannot access the notebook.
         return (
             f'<iframe title="{escape(self._title)}" sandbox="allow-scripts" '
             f'srcdoc="{escape(self.html)}" '

@@ -1,8 +1,7 @@
-"""Positions at which two vertices meet, the only instantaneous contacts inside an edge of a loop.
+"""Positions at which two vertices meet: the only momentary contacts inside an edge of a loop.
 
-The positions at which two given features touch form a segment that does not cross the loop. So
-inside an edge of the loop, only an end of the segment can touch the loop, and there two vertices
-meet.
+The positions at which two given features touch form a segment that does not cross the loop. Inside
+an edge of the loop, only an end of that segment can touch the loop; there two vertices meet.
 """
 
 from __future__ import annotations
@@ -28,16 +27,11 @@ class Meetings:
 
     Args:
         s: the moving and the stationary shape, of a sweep or a fit.
-        others: further stationary shapes.
+        others: more stationary shapes.
         inside: whether the moving shape is inside the stationary one, as in an inner fit.
 
-    Attributes:
-        reference: the reference point of the moving shape.
-        scale: the scale of the lattice of the translations.
-        translations: the translations, on the lattice, sorted.
-
     Cost: O((m + n) log(m + n) + p log p) for p pairs of an edge and a vertex that can touch without
-    overlap. Convex polygons have O(m + n) such pairs, others O(m n).
+    overlap: O(m + n) for convex polygons, O(m n) for others.
     """
 
     def __init__(
@@ -59,15 +53,9 @@ class Meetings:
         self.translations = sorted(translations)
 
     def on_edges(self, loop: Sequence[Point]) -> list[Point]:
-        """Find the meetings inside edges of a loop of free positions, sorted.
+        """Return the sorted meetings inside edges of a loop of free positions.
 
-        Cost: O(t log p), plus O(1) for each edge and each position in its x-range.
-
-        Example:
-            >>> from exactsweep import sweep
-            >>> s = sweep([(0, 0), (1, 0), (1, 1), (0, 1)], [(0, 0), (3, 0), (0, 3)])
-            >>> Point(2, -1) in Meetings(s).on_edges(s.trajectory.vertices)
-            True
+        Cost: O(t log p) for t edges, plus O(1) for each edge and each position in its x-range.
         """
         (rx, ry), scale = self.reference, self.scale
         raised = [((x - rx) * scale, (y - ry) * scale) for x, y in loop]
@@ -84,7 +72,7 @@ class Meetings:
 def find_meetings(
     s: Moving, corners: int, others: Sequence[AnyPolygon] = (), *, inside: bool = False
 ) -> Meetings | None:
-    """Find the meetings of vertices; return None if the search would take more than a second."""
+    """Return the meetings of vertices, or None if the search would take more than a second."""
     if len(s.generatrix) * sum(map(len, (s.directrix, *others))) > _MOST_PAIRS:
         return None
     found = Meetings(s, others, inside=inside)
@@ -92,31 +80,22 @@ def find_meetings(
 
 
 def find_facing(shape: Outline, outline: Outline) -> Iterator[tuple[int, int]]:
-    """Find the pairs of an edge and a vertex that can touch without overlap.
+    """Yield the pairs of an edge of one polygon and a vertex of another that can touch.
 
-    An edge touches a vertex from outside only if both edges at the vertex run on the other side of
-    its line. Then the vertex is convex, and the direction of the reversed edge lies between those
-    of the two edges.
-
-    Args:
-        shape: the features of a polygon.
-        outline: those of the other polygon, no three neighbours collinear.
-
-    Returns:
-        (number of the edge, number of the vertex).
-
-    Cost: O((m + n) log n + pairs) for n edges and m vertices.
+    The vertex must be convex, and the direction of the reversed edge must lie between those of the
+    two edges at the vertex. Vertices must be corners. Cost: O((m + n) log n + pairs) for n edges
+    and m vertices.
 
     >>> square, steep = Outline([[(0, 0), (1, 0), (1, 1), (0, 1)]]), Outline([[(1, 0), (0, 1)]])
     >>> sorted(pair for pair in find_facing(steep, square) if pair[0] == 0)
     [(0, 0)]
     """
-    # Slopes of edges no wider than 2**n differ by 4**-n, so ints in that unit have their order.
+    # Slopes of edges at most 2**n wide differ by at least 4**-n: ints in that unit preserve order.
     widths = [piece.direction[0] for o in (shape, outline) for piece in o.pieces]
     bits = 2 * max(widths).bit_length()
 
     def angle(o: Outline, k: int, *, turned: bool) -> tuple[bool, float]:
-        """Return a key that orders directed edges by angle, from -90 degrees, exclusive."""
+        """Return a key that orders directed edges by angle, starting just above -90 degrees."""
         a, b = o.pieces[k].direction
         p, q = o.edge(k)
         return (p > q) != turned, (b << bits) // a if a else inf

@@ -3,14 +3,14 @@
 const data = JSON.parse(document.getElementById("data").textContent);
 const element = (id) => document.getElementById(id);
 
-// Number of positions between two stops; each has exact coordinates.
+// The number of positions between two stops; each has exact coordinates.
 const PARTS = 1_000_000;
 const SLIDER_STEP = PARTS / 1000;
 const ROUND_SECONDS = 24;
-// Distance in pixels at which a dragged G changes to another track.
+// The distance, in pixels, at which a dragged G snaps to another track.
 const SNAP = 12;
 
-// Tracks: the trajectory, holes of the no-fit polygon, and exact fits, there and back.
+// Tracks: the trajectory, holes of the no-fit polygon, and exact fits, traced back and forth.
 const { tracks } = data;
 const firstFit = data.loops;
 for (const track of tracks) {
@@ -56,7 +56,7 @@ function placeOn({ places, contacts }, k) {
   return [places[i], places[i + 1]];
 }
 
-// Place of the anchor; at a stop exactly that of the data.
+// The place of the anchor; at a stop, exactly that in the data.
 function place() {
   const k = stopBefore();
   const share = (at % PARTS) / PARTS;
@@ -69,7 +69,7 @@ function exactStop(k, track = stops) {
   return [0, 1].map((axis) => rational.parse(track.exact[2 * (k % track.size) + axis]));
 }
 
-// Exact position of the reference point.
+// The exact position of the reference point.
 function exactPosition() {
   const [start, end] = [exactStop(stopBefore()), exactStop(stopBefore() + 1)];
   const share = rational.reduced(BigInt(at % PARTS), BigInt(PARTS));
@@ -84,7 +84,7 @@ const about = (exact) => {
   return exact.some(rational.about) ? `about ${short.length > 1 ? `(${short.join(", ")})` : short}` : "";
 };
 
-// Contacts, each with a note whether it ends or begins at the stop.
+// Contacts, with a note for those that begin or end at the stop.
 function contactsHere() {
   if (data.asked !== "sweep") return contactsAnywhere().map((contact) => ({ contact, note: "" }));
   const k = stopBefore();
@@ -108,7 +108,7 @@ function contactsHere() {
   ];
 }
 
-// Without stored contacts, compute them once for each place.
+// Contacts that are not stored, cached for the current place.
 let found = { at: null };
 function contactsAnywhere() {
   if (found.at !== at || found.stops !== stops) {
@@ -124,7 +124,7 @@ function words([event, i, j]) {
   return `${g} on ${d}`;
 }
 
-// Update picture and panel, at most once a frame.
+// Update the picture and the panel, at most once per frame.
 let isGroundStale = true;
 let isWaiting = false;
 function refresh(isAll) {
@@ -210,7 +210,7 @@ function moveToStop(k) {
   moveTo(((k % stops.size) + stops.size) % stops.size * PARTS);
 }
 
-// Animation along the track at constant speed.
+// Animate G along the track at constant speed.
 function play(isOn) {
   const button = document.querySelector("[data-do=play]");
   // Do not announce each contact to screen readers.
@@ -225,16 +225,16 @@ function play(isOn) {
   const step = (now) => {
     if (at !== Math.round(exact)) exact = at;
     const { around, lengths, size } = stops;
-    let way = last === null ? 0 : (around * (now - last)) / 1000 / ROUND_SECONDS;
+    let distance = last === null ? 0 : (around * (now - last)) / 1000 / ROUND_SECONDS;
     last = now;
     for (;;) {
       const k = Math.floor(exact / PARTS) % size;
       const left = (1 - (exact % PARTS) / PARTS) * lengths[k];
-      if (way < left) {
-        exact += (way / lengths[k]) * PARTS;
+      if (distance < left) {
+        exact += (distance / lengths[k]) * PARTS;
         break;
       }
-      way -= left;
+      distance -= left;
       exact = (k + 1) % size * PARTS;
       if (!left) break;
     }
@@ -244,7 +244,7 @@ function play(isOn) {
   playing = requestAnimationFrame(step);
 }
 
-// Drag along the track: to the nearest place, preferring those close along the track.
+// Drag G to the nearest place of the track, preferring places close along the track.
 function slideTo(x, y) {
   const [tx, ty] = view.place(x, y);
   const [px, py] = place();
@@ -253,14 +253,14 @@ function slideTo(x, y) {
   let best = [Infinity, at];
   const start = stopBefore();
   const { size } = stops;
-  for (const way of [1, -1]) {
-    let travelled = 0;
-    for (let n = 0; n <= size && travelled <= limit; n++) {
-      const k = (((start + way * n) % size) + size) % size;
+  for (const direction of [1, -1]) {
+    let traveled = 0;
+    for (let n = 0; n <= size && traveled <= limit; n++) {
+      const k = (((start + direction * n) % size) + size) % size;
       const [[ax, ay], [bx, by]] = [stopPlace(k), stopPlace(k + 1)];
       const [share, off] = nearest(kx * tx, ky * ty, kx * ax, ky * ay, kx * bx, ky * by);
       if (off < best[0]) best = [off, (k + share) * PARTS];
-      if (n) travelled += Math.hypot(kx * (bx - ax), ky * (by - ay));
+      if (n) traveled += Math.hypot(kx * (bx - ax), ky * (by - ay));
     }
   }
   let track = stops;
@@ -275,7 +275,7 @@ function slideTo(x, y) {
   moveTo(Math.hypot(dx, dy) < 5 ? (stop % track.size) * PARTS : best[1] % track.span, track);
 }
 
-// Change to another track under the pointer: a hole or an exact fit, and back.
+// Return another track near the pointer, if there is one.
 function snapped(x, y, best) {
   let found = [stops, best];
   let reach = SNAP;

@@ -18,7 +18,7 @@ if TYPE_CHECKING:
     from exactsweep.evidence.no_fit import InnerFitAnswer, NoFitAnswer
     from exactsweep.evidence.sweep import SweepAnswer
 
-# d3-zoom and its dependencies, in the order of dependence; see vendor/README.md.
+# d3-zoom and its dependencies, in dependency order; see vendor/README.md.
 _LIBRARIES = (
     *("color", "dispatch", "ease", "timer", "selection"),
     *("interpolate", "drag", "transition", "zoom"),
@@ -38,19 +38,19 @@ def make_page(
     y_down: bool = False,
     tell: Callable[[str], object] = str,
 ) -> str:
-    """Make an interactive HTML page on which G moves around D, or inside a container.
+    """Return an interactive HTML page on which G moves around D, or inside a container.
 
     Args:
         s: a Sweep, a NoFitPolygon or an InnerFit.
-        names: the names of G and D, such as their files.
-        y_down: whether Y points down, as in viewers of SVG.
-        tell: a function called with the name of each long step before it begins.
+        names: the names of G and D, such as their file names.
+        y_down: whether Y points down, as in SVG viewers.
+        tell: a callback that receives the name of each long step.
 
     Returns:
-        An HTML document that needs no network and no other file. Its content security policy allows
-        its own scripts only, and no loading.
+        A self-contained HTML document. Its content security policy allows only its own scripts, and
+        no network access.
 
-    Cost: that of the loops, contacts and undercuts, and linear in the length of the result.
+    Cost: linear in the length of the result, plus the cost of loops, contacts and undercuts.
 
     Example:
         >>> from exactsweep import sweep
@@ -88,7 +88,7 @@ def _text(name: str) -> str:
 
 
 def embed_json(data: object) -> str:
-    """Write JSON that cannot close the script element around it."""
+    """Return JSON that cannot close the script element around it."""
     text = json.dumps(data, separators=(",", ":"))
     return text.replace("<", "\\u003c").replace(">", "\\u003e").replace("&", "\\u0026")
 

@@ -1,6 +1,6 @@
-// Features at the pointer, and their descriptions.
+// Features under the pointer, and their descriptions.
 
-// In pixels.
+// The reach of the pointer, in pixels.
 const REACH = 9;
 const MOST_NAMED = 8;
 
@@ -53,7 +53,7 @@ const listed = ({ exact }) => (k) => `(${exact[2 * k]}, ${exact[2 * k + 1]})`;
 const nameOfStop = ({ name, vertex }) => (k) =>
   vertex[k] === null ? `stop ${k}, on an edge of ${name}` : `vertex ${vertex[k]} of ${name}`;
 
-// A vertex of G at its current place: its coordinates plus the translation of G.
+// The current coordinates of a vertex of G.
 function exactCorner(k) {
   const position = exactPosition();
   return pair([0, 1].map((axis) => {
@@ -79,7 +79,7 @@ function describeFit(k) {
     lines: [
       isSingle(fit)
         ? `exact fit ${k}: G fits at ${inside} and cannot move`
-        : `exact fit ${k}: G could slide from ${hanging} to ${inside}, touching D on both sides`,
+        : `exact fit ${k}: G can slide from ${hanging} to ${inside}, touching D on both sides`,
     ],
   };
 }
@@ -105,7 +105,7 @@ function describeUndercut(k) {
   };
 }
 
-// Move to the next undercut along the trajectory; several at one stop take turns.
+// Move to the next undercut along the trajectory, or to another one at the same stop.
 function visitUndercut() {
   const { span } = tracks[0];
   const shown = pointed.undercut ? pointed.number : -1;
@@ -117,7 +117,7 @@ function visitUndercut() {
   visit(k, "undercut", () => moveTo(data.undercuts[k].stops[0] * PARTS, tracks[0]), describeUndercut);
 }
 
-// Move into the next exact fit, at its end on a loop first.
+// Move to the next exact fit, starting at its end on a loop.
 function visitFit() {
   const shown = isFit(stops) ? tracks.indexOf(stops) - firstFit : -1;
   const k = data.fits.length ? (shown + 1) % data.fits.length : -1;

@@ -7,7 +7,7 @@ const rational = {
   text([n, d]) {
     return d === 1n ? String(n) : `${n}/${d}`;
   },
-  // Shorten a long number, with the number of its characters.
+  // Shorten a long number and append its number of characters.
   brief(text) {
     if (text.length <= 64) return text;
     return `${text.slice(0, 28)}\u2026${text.slice(-16)} (${text.length} characters)`;
@@ -24,18 +24,18 @@ const rational = {
   scalar([a, b], [c, d]) {
     return rational.plus(rational.times(a, c), rational.times(b, d));
   },
-  // Compare numerators.
+  // The numerator of the scalar product, which has its sign.
   dot(u, v) {
     return rational.scalar(u, v)[0];
   },
   cross([a, b], v) {
     return rational.dot([[-b[0], b[1]], a], v);
   },
-  // Six digits of a long number or fraction; "" for others.
+  // The first six digits of a long number or fraction; "" for short ones.
   about([n, d]) {
     if (rational.text([n, d]).length <= (d === 1n ? 20 : 7)) return "";
     const size = n < 0n ? -n : n;
-    // Exponent of the first digit, or one more.
+    // The exponent of the first digit, or one more.
     let exponent = String(size).length - String(d).length;
     const digits = (e) => {
       const shift = 10n ** BigInt(Math.abs(5 - e));

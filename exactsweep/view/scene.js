@@ -1,10 +1,10 @@
-// Drawing: fixed parts on one canvas, G and its contacts on another above it.
+// Drawing: fixed parts on one canvas, G and its contacts on a second canvas above it.
 
-// Dashes of the trajectory by event, so that events differ without colours.
+// Dashes of the trajectory by event, for color-blind readers.
 const DASHES = { EV: [], VE: [6, 4], EE: [2, 2.5], several: [8, 2, 2, 2] };
-// Length in pixels from which a line is dense, such as a zigzag of thousands of edges.
+// The length in pixels from which a line is dense, such as a zigzag of thousands of edges.
 const DENSE = 20_000;
-// Number of exact fits from which they are thin lines without marks.
+// The number of exact fits from which they are thin lines without markers.
 const MANY = 60;
 
 class Scene {
@@ -56,7 +56,7 @@ class Scene {
     let length = 0;
     for (const pixels of chains) length += traceLine(context, pixels, this.view.window, isClosed);
     context.strokeStyle = this.color(name);
-    // Width and dashes of a dense line are invisible, and take fifty times as long to draw.
+    // On a dense line, width and dashes are invisible, and drawing them takes fifty times as long.
     const isDense = length > DENSE;
     this.isDense ||= isDense;
     context.lineWidth = isDense ? 1 : width;
@@ -127,7 +127,7 @@ class Scene {
       const pixels = chains.map((places) => view.pixels(places));
       this.lines(context, pixels, event === "several" ? "path" : event, 2, { dash: DASHES[event] });
     }
-    // Many exact fits are thin, so that none hides another.
+    // Many exact fits are drawn thin, so that none hides another.
     const isThin = data.fits.length > MANY;
     const fits = data.fits.map(({ places }) => view.pixels(places));
     this.lines(context, fits, "fit", isThin ? 1.5 : 4, {});
@@ -141,7 +141,7 @@ class Scene {
     this.lines(context, spots(true).map(([x, y]) => circle(x, y)), "fit", 2, { isClosed: true });
   }
 
-  // Show the last image of the fixed parts, moved.
+  // Transform the last image of the fixed parts.
   moveGround() {
     const { k, x, y } = this.view.zoom;
     const ratio = k / this.drawn.k;
@@ -149,7 +149,7 @@ class Scene {
     this.layers[0].canvas.style.transform = `matrix(${ratio}, 0, 0, ${ratio}, ${shift})`;
   }
 
-  // Draw G with the anchor at a place, the contacts, and the feature pointed at.
+  // Draw G with the anchor at a place, the contacts, and the feature under the pointer.
   drawTop([px, py], contacts, pointed) {
     const { data, view } = this;
     const context = this.cleared(1);
@@ -184,7 +184,7 @@ class Scene {
   }
 }
 
-// Chains of loops by event, cut at changes.
+// The parts of loops with the same event, by event.
 function runs(loops) {
   const found = new Map();
   for (const { places, contacts } of loops) {

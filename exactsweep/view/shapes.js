@@ -1,9 +1,8 @@
-// Conversion of places to pixels, and clipped lines. Places have y upward unless the data say down.
+// Conversion of places to pixels, and clipping. In places, y points up unless the data say down.
 
-// Lines are clipped this many pixels outside the canvas: beyond, precision suffers, and dashes take
-// forever.
+// Lines are clipped this many pixels outside the canvas, to preserve precision and to limit dashes.
 const BEYOND = 60;
-// Points within this distance of the one before, in pixels, are skipped.
+// Points closer than this to the preceding one, in pixels, are skipped.
 const FINE = 0.4;
 
 // Lists of places are flat: x, y, x, y, ...
@@ -19,7 +18,7 @@ function bounds(places) {
 }
 
 class View {
-  // Show a box of places on a canvas, with one unit for both axes unless stretched.
+  // A box of places shown on a canvas, with the same unit for both axes unless stretched.
   constructor(box, isStretched, isDown) {
     this.box = box;
     this.isStretched = isStretched;
@@ -57,7 +56,7 @@ class View {
     return [((x - tx) / k - this.x0) / this.kx, ((y - ty) / k - this.y0) / (this.sign * this.ky)];
   }
 
-  // Pixels of places moved by (dx, dy).
+  // The pixels of places translated by (dx, dy).
   pixels(places, dx = 0, dy = 0) {
     const found = new Float64Array(places.length);
     for (let i = 0; i < places.length; i += 2) {
@@ -76,7 +75,7 @@ function isWithin(pixels, [left, low, right, high]) {
   return true;
 }
 
-// Add a chain of pixels, or a loop, to the path of a context; return its length or a bit more.
+// Add a chain or a loop of pixels to the path of a context; return an upper bound of its length.
 function traceLine(context, pixels, window, isClosed) {
   const size = pixels.length;
   if (isWithin(pixels, window)) {
@@ -98,7 +97,7 @@ function traceLine(context, pixels, window, isClosed) {
   return length;
 }
 
-// Add the outline of an area, clipped to the window, to the path of a context.
+// Add the boundary of an area, clipped to the window, to the path of a context.
 function traceArea(context, pixels, window) {
   traceNear(context, isWithin(pixels, window) ? pixels : cropped(pixels, window));
   context.closePath();
@@ -161,13 +160,13 @@ function cropped(pixels, [left, low, right, high]) {
   return loop;
 }
 
-// The places of each ring, by the list of their sizes.
+// Split places into rings of given sizes.
 function ringsOf(sizes, places) {
   let first = 0;
   return sizes.map((size) => places.slice(2 * first, 2 * (first += size)));
 }
 
-// Whether a point is in an odd number of loops.
+// Whether a point is inside an odd number of loops.
 function contains(loops, x, y) {
   let inside = false;
   for (const places of loops) {
@@ -179,7 +178,7 @@ function contains(loops, x, y) {
   return inside;
 }
 
-// The parameter of the point of segment a b nearest to a point, and its distance.
+// The parameter of the point of segment ab nearest to a point, and the distance.
 function nearest(x, y, ax, ay, bx, by) {
   const [dx, dy] = [bx - ax, by - ay];
   const square = dx * dx + dy * dy;

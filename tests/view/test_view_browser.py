@@ -144,7 +144,7 @@ def test_vertices_undercuts_and_fits_have_tips(show: Open) -> None:
     assert slot.position == SLOT.exact_fits[0][0]
     (x, y), (right, _) = slot.pixels[:2]
     fit = slot.hover(x, y + right - x)
-    assert fit == "exact fit 0: G could slide from (1, 3) to (1, 1), touching D on both sides"
+    assert fit == "exact fit 0: G can slide from (1, 3) to (1, 1), touching D on both sides"
 
 
 def test_a_tap_shows_the_tip_of_a_feature(show: Open) -> None:
