@@ -15,6 +15,8 @@ from typing import Any
 from exactsweep.check.layout_claims import claim_layout
 from exactsweep.check.standalone import FORMAT, VERSION
 from exactsweep.check.terms import (
+    POINT,
+    SEGMENTS,
     CoqClaim,
     Nat,
     RationalPoint,
@@ -29,18 +31,16 @@ from exactsweep.check.terms import (
     write_numbers,
 )
 
-RINGS, RING, POINT = "list Statements.ring", "Statements.ring", "Statements.point"
+RINGS, RING = "list Statements.ring", "Statements.ring"
 PATH = "list Statements.point"
 REGIONS = "list (Statements.ring * list Statements.ring)"
-SEGMENTS = "list (Statements.point * Statements.point)"
 
 
 def to_claim(certificate: Any) -> CoqClaim:
     """Return the claim of a certificate of version 3 that is valid by the schema.
 
     Raises:
-        TheoremError: the certificate is of another version, or its claim has no form in Coq: a
-            layout with faults or in a rounded container other than a disc.
+        TheoremError: the certificate is of another version, or not covered: see `claim_layout`.
     """
     kinds = {"no_fit": _no_fit, "sweep": _sweep, "sum": _sum, "inner_fit": _inner_fit}
     kinds["layout"] = claim_layout

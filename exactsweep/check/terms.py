@@ -1,7 +1,7 @@
 """Terms for Coq: the values in a claim, and their form as plain numbers.
 
 A term is an int (an integer in Coq), a Fraction (a rational), a `Nat`, a bool, a list, a tuple, a
-`Record`, or a `Some` or None.
+`Record`, a `Constructor`, or a `Some` or None.
 """
 
 from __future__ import annotations
@@ -15,6 +15,8 @@ from typing import Any, NamedTuple
 from exactsweep.numbers.error import ExactSweepError
 
 RationalPoint = tuple[Fraction, Fraction]
+POINT = "Statements.point"
+SEGMENTS = f"list ({POINT} * {POINT})"
 
 
 class TheoremError(ExactSweepError):
@@ -35,6 +37,14 @@ class Record(NamedTuple):
     """Named fields, in the order of the record in Coq."""
 
     fields: dict[str, Any]
+
+
+class Constructor(NamedTuple):
+    """A constructor: its number in the driver, its name in Coq, and its arguments."""
+
+    number: int
+    name: str
+    arguments: tuple[Any, ...]
 
 
 class CoqClaim(NamedTuple):
@@ -58,6 +68,8 @@ def write_numbers(claim: CoqClaim) -> str:
 def _words(term: Any) -> Iterable[str]:
     if isinstance(term, Some):
         return ["1", *_words(term.value)]
+    if isinstance(term, Constructor):
+        return [str(term.number), *(word for value in term.arguments for word in _words(value))]
     if isinstance(term, Record):
         return [word for value in term.fields.values() for word in _words(value)]
     if isinstance(term, list):

@@ -9,14 +9,15 @@ from __future__ import annotations
 from fractions import Fraction
 from typing import Any
 
-from exactsweep.check.claims import POINT, to_claim
-from exactsweep.check.terms import Nat, Record, Some
+from exactsweep.check.claims import to_claim
+from exactsweep.check.terms import POINT, SEGMENTS, Constructor, Nat, Record, Some
 
 CLAIMS = {
     "no_fit": ("no_fit_polygon", "no_fit_polygon_sound", "check_no_fit_polygon"),
     "inner_fit": ("inner_fit_polygon", "inner_fit_polygon_sound", "check_inner_fit_polygon"),
     "sweep": ("sweep_of", "whole_sweep_sound", "check_whole_sweep"),
     "sum": ("path_sum", "path_sum_sound", "check_path_sum"),
+    "faults": ("faulty", "faults_sound", "check_faults"),
     "layout": ("valid", "layout_valid", "check_entries"),
 }
 HEAD = """(* {title}
@@ -24,7 +25,7 @@ HEAD = """(* {title}
    Check it with: coqc -R PROOF Exactsweep {name}.v
    PROOF is the folder exactsweep/check/proof, after `make` there. *)
 Require Import QArith ZArith List.
-From Exactsweep Require Import Layout NoFit InnerFit Sweep Claims.
+From Exactsweep Require Import Layout Faults NoFit InnerFit Sweep Claims.
 From Exactsweep Require Statements.
 Import ListNotations.
 
@@ -40,6 +41,7 @@ TITLES = {
     "sweep": "A no-fit polygon, and the area swept along its exterior.",
     "sum": "The sum of a shape and a path.",
     "layout": "A valid layout.",
+    "faults": "Faults of a layout.",
 }
 
 
@@ -55,7 +57,7 @@ def write_theorem(certificate: Any, name: str = "certificate") -> str:
         certificate.
 
     Raises:
-        TheoremError: the certificate is of another version, or a layout with faults.
+        TheoremError: the certificate is of another version, or its claim is not covered.
     """
     claim = to_claim(certificate)
     stated, sound, check = CLAIMS[claim.kind]
@@ -75,7 +77,7 @@ def write_theorem(certificate: Any, name: str = "certificate") -> str:
 
 
 def _define(terms: dict[str, tuple[str, Any]]) -> list[str]:
-    scopes = {POINT: "%Q"}
+    scopes = dict.fromkeys((POINT, SEGMENTS), "%Q")
     return [
         f"Definition {key} : {kind} :=\n  {_coq(term)}{scopes.get(kind, '')}."
         for key, (kind, term) in terms.items()
@@ -86,6 +88,8 @@ def _coq(term: Any) -> str:
     """Return a term as Coq reads it: integers and rationals in the scopes that are open."""
     if isinstance(term, Some):
         return f"Some {_coq(term.value)}"
+    if isinstance(term, Constructor):
+        return f"({' '.join([term.name, *map(_coq, term.arguments)])})"
     if isinstance(term, Record):
         return "{| " + ";\n   ".join(f"{k} := {_coq(v)}" for k, v in term.fields.items()) + " |}"
     if isinstance(term, list):

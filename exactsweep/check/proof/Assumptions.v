@@ -7,7 +7,7 @@ Print Assumptions rotation_error_sound.
 Print Assumptions fits_iff.
 Print Assumptions layout_sound.
 Print Assumptions valid_exact.
-Print Assumptions overlap_refutes.
+Print Assumptions faults_sound.
 Print Assumptions no_fit_sound.
 Print Assumptions inner_fit_sound.
 Print Assumptions sweep_sound.

@@ -43,15 +43,17 @@ Definition planes (f : Z * Z * Z * Z) : list (pt * Z) :=
 Definition within_frame (d : Z) (f : Z * Z * Z * Z) (x : item) : bool :=
   forallb (fun p => forallb (fun h => most (fst h) (fst p) + snd p + reach x + d <=? snd h) (planes f)) (parts x).
 
+Definition is_rotated (l : Statements.layout) (x : Statements.placement) : bool :=
+  let p := Statements.kind_of l x in let m := Statements.by_motion x in
+  match (if Statements.mirrored m then Statements.mirrored_rotations p else Statements.rotations p) with
+  | None => true
+  | Some cs => existsb (fun c => Qeq_bool (fst c) (Statements.cosine m) && Qeq_bool (snd c) (Statements.sine m)) cs
+  end.
 Definition check_allowed (l : Statements.layout) (x : Statements.placement) : bool :=
   let m := Statements.by_motion x in let k := Statements.kind_of l x in
   (Statements.kind x <? length (Statements.kinds l))%nat && Qle_bool 0 (Statements.slack x) &&
   Qeq_bool (Statements.cosine m * Statements.cosine m + Statements.sine m * Statements.sine m) 1 &&
-  (negb (Statements.mirrored m) || Statements.may_mirror k) &&
-  match (if Statements.mirrored m then Statements.mirrored_rotations k else Statements.rotations k) with
-  | None => true
-  | Some cs => existsb (fun c => Qeq_bool (fst c) (Statements.cosine m) && Qeq_bool (snd c) (Statements.sine m)) cs
-  end.
+  (negb (Statements.mirrored m) || Statements.may_mirror k) && is_rotated l x.
 Definition check_supply (l : Statements.layout) : bool :=
   forallb (fun k => match nth_error (Statements.kinds l) k with
     | None => true
@@ -125,20 +127,20 @@ End Check.
 (* 2. Soundness *)
 Lemma check_allowed_spec l x : check_allowed l x = true -> Statements.allowed l x.
 Proof.
-  unfold check_allowed, Statements.allowed. cbv zeta. intro H.
+  unfold check_allowed, is_rotated, Statements.allowed, Statements.rotated. cbv zeta. intro H.
   apply andb_prop in H as (H & R). apply andb_prop in H as (H & M). apply andb_prop in H as (I & T). apply andb_prop in I as (I & P).
   split; [|split; [|repeat split]].
   - apply Nat.ltb_lt, I.
   - apply Qle_bool_iff, P.
   - apply Qeq_bool_iff, T.
   - intro E. rewrite E in M. exact M.
-  - destruct (if Statements.mirrored (Statements.by_motion x) then _ else _) as [cs|]; [|exact Logic.I].
+  - intros cs Cs. rewrite Cs in R.
     apply existsb_exists in R as (c & J & R). apply andb_prop in R as (R1 & R2).
     exists c. repeat split; [exact J| |]; apply Qeq_bool_iff; assumption.
 Qed.
 Lemma check_supply_spec l : check_supply l = true -> Statements.supplied l.
 Proof.
-  unfold check_supply, Statements.supplied. rewrite forallb_forall. intros H k p n E F.
+  unfold check_supply, Statements.supplied. rewrite forallb_forall. intros H k n (p & E & F).
   assert (k < length (Statements.kinds l))%nat by (apply nth_error_Some; congruence).
   specialize (H k). rewrite E, F in H. apply Nat.eqb_eq, H, in_seq. lia.
 Qed.

@@ -5,29 +5,38 @@ From Exactsweep Require Import HalfOpen Scaling Near Disc.
 Import ListNotations.
 Open Scope Q_scope.
 
-Lemma radius_pos n : 0 < Statements.radius n.
+(* Real points: sequences of rational points, number n at distance 1 / (n + 1) or less from it in both coordinates *)
+Definition radius (n : nat) : Q := 1 # Pos.of_succ_nat n.
+Definition real_point (x : nat -> qpoint) : Prop := forall n m,
+  let d := radius n + radius m in - d <= fst (x n) - fst (x m) <= d /\ - d <= snd (x n) - snd (x m) <= d.
+Definition real_interior (S : qpoint -> Prop) (x : nat -> qpoint) : Prop :=   (* a square around it, of rational points of S *)
+  exists n e, radius n < e /\ forall y, Statements.close e y (x n) -> S y.
+Definition real_closure (S : qpoint -> Prop) (x : nat -> qpoint) : Prop :=
+  forall n, exists y, S y /\ Statements.close (2 * radius n) y (x n).
+
+Lemma radius_pos n : 0 < radius n.
 Proof. reflexivity. Qed.
-Lemma radius_small e : 0 < e -> exists n, forall m, (n <= m)%nat -> Statements.radius m < e.
+Lemma radius_small e : 0 < e -> exists n, forall m, (n <= m)%nat -> radius m < e.
 Proof.
-  intro E. exists (Pos.to_nat (Qden e)). intros m L. unfold Statements.radius, Qlt in *. cbn [Qnum Qden] in *.
+  intro E. exists (Pos.to_nat (Qden e)). intros m L. unfold radius, Qlt in *. cbn [Qnum Qden] in *.
   assert (P : (Zpos (Qden e) < Zpos (Pos.of_succ_nat m))%Z) by lia. nia.
 Qed.
 (* A real point in the interiors of two sets proves an overlap. *)
-Theorem real_overlap S T x : Statements.real_point x -> Statements.real_interior S x -> Statements.real_interior T x -> Statements.overlap S T.
+Theorem real_overlap S T x : real_point x -> real_interior S x -> real_interior T x -> Statements.overlap S T.
 Proof.
   intros R (n & e & E & HS) (m & d & D & HT).
-  destruct (below (e - Statements.radius n) (d - Statements.radius m)) as (c & C & C1 & C2); [lra|lra|].
+  destruct (below (e - radius n) (d - radius m)) as (c & C & C1 & C2); [lra|lra|].
   destruct (radius_small (c / 2)) as (k & K); [apply Qlt_shift_div_l; lra|]. specialize (K k (le_n k)).
   assert (H2 : c / 2 == (1 # 2) * c) by field. pose proof (R k n) as (Rn1 & Rn2). pose proof (R k m) as (Rm1 & Rm2).
   exists (x k). split; exists (c / 2); (split; [lra|]); intros y (Y1 & Y2); [apply HS|apply HT]; unfold Statements.close in *; lra.
 Qed.
 (* Two real points in the closures of two sets at distance d: for each c < d, the approximations are finally more than
    c apart. *)
-Theorem real_at_least d S T x y : Statements.at_least d S T -> Statements.real_closure S x -> Statements.real_closure T y ->
+Theorem real_at_least d S T x y : Statements.at_least d S T -> real_closure S x -> real_closure T y ->
   forall c, 0 <= c -> c < d -> exists n, forall m, (n <= m)%nat -> c * c < Statements.dist2 (x m) (y m).
 Proof.
   intros A X Y c C L. destruct (radius_small ((d - c) / 6)) as (n & N); [apply Qlt_shift_div_l; lra|]. exists n. intros m M. specialize (N m M).
-  assert (H6 : (d - c) / 6 == (1 # 6) * (d - c)) by field. pose proof (radius_pos m) as Rp. set (r := Statements.radius m) in *.
+  assert (H6 : (d - c) / 6 == (1 # 6) * (d - c)) by field. pose proof (radius_pos m) as Rp. set (r := radius m) in *.
   destruct (X m) as (s & Ss & Sx1 & Sx2). destruct (Y m) as (t & Tt & Ty1 & Ty2). fold r in Sx1, Sx2, Ty1, Ty2.
   destruct (Qlt_le_dec (c * c) (Statements.dist2 (x m) (y m))) as [|G]; [assumption|exfalso].
   assert (B : forall u v, - (2 * r) < u < 2 * r -> - (2 * r) < v < 2 * r -> u * u + v * v <= 3 * r * (3 * r)) by (intros; nra).

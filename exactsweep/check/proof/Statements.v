@@ -1,7 +1,8 @@
 (* Definitions of the claims.  Nothing here is computed by a checker; this is the page to read first.
 
-   The plane is the set of pairs of rational numbers.  All vertices are rational, so every open set that
-   two shapes could share contains a rational point; the last section says so of real points. *)
+   The plane is the set of pairs of rational numbers.  All vertices are rational, so every open set that two shapes could
+   share contains a rational point.  Real points (RealPoints.v): one in the interiors of two sets proves an overlap, and
+   `at_least` holds for real limits. *)
 Require Import QArith List Bool.
 Import ListNotations.
 Open Scope Q_scope.
@@ -14,8 +15,8 @@ Definition edges (r : ring) : list (point * point) := match r with [] => [] | p 
 Definition orient (a b p : point) : Q :=
   (fst b - fst a) * (snd p - snd a) - (snd b - snd a) * (fst p - fst a).
 
-(* How often rings go around z, counter-clockwise: edges that cross the ray from z to the right, upward
-   ones minus downward ones.  The lower end of an edge belongs to it, the upper end does not. *)
+(* How often rings go around z, counter-clockwise: edges that cross the ray from z to the right, upward ones minus
+   downward ones.  The lower end of an edge belongs to it, the upper end does not. *)
 Definition less (x y : Q) : bool := negb (Qle_bool y x).
 Definition crossing (z : point) (e : point * point) : Z :=
   let (a, b) := e in
@@ -25,9 +26,8 @@ Definition crossing (z : point) (e : point * point) : Z :=
 Definition winding (rs : list ring) (z : point) : Z :=
   fold_right Z.add 0%Z (map (crossing z) (flat_map edges rs)).
 
-(* A shape is where the winding number of its rings is 1: exteriors counter-clockwise, holes clockwise.
-   By the rule above a shape contains the points of its left and lower sides, not those of its right and
-   upper ones.  `half_open` in HalfOpen.v: this changes no shape by more than its boundary. *)
+(* A shape is where the winding number of its rings is 1: exteriors counter-clockwise, holes clockwise.  By the rule above
+   it contains its left and lower sides, not the others; by `half_open` (HalfOpen.v) only its boundary depends on the rule. *)
 Definition inside (rs : list ring) (z : point) : Prop := winding rs z = 1%Z.
 
 (* Topology and distance *)
@@ -46,15 +46,13 @@ Definition at_least (d : Q) (S T : point -> Prop) : Prop :=     (* any two point
 Definition simple (rs : list ring) : Prop :=
   (forall z, winding rs z = 0%Z \/ winding rs z = 1%Z) /\ exists z, interior (inside rs) z.
 
-(* Figures.  Drawn as rings, or as rounded pieces: all points at distance r or less from the convex hull of
-   points (a disc is one point, a slot two).  A figure is known up to an error e: the true one is any set of
-   points at distance e or less from the drawn one. *)
+(* Figures.  Drawn as rings, or as rounded pieces: all points at distance r or less from the convex hull of points (a disc
+   is one point, a slot two).  Known up to an error e: the true shape is any set of points at distance e or less from it. *)
 Definition hull (ps : list point) (z : point) : Prop :=         (* in every half-plane that contains the points *)
   forall a b c, (forall p, In p ps -> a * fst p + b * snd p <= c) -> a * fst z + b * snd z <= c.
 Definition within (e : Q) (S : point -> Prop) (z : point) : Prop :=     (* at distance e or less from S and its limits *)
   forall d, e < d -> ~ forall y, S y -> d * d < dist2 y z.
 Definition known_to (e : Q) (drawn true : point -> Prop) : Prop := forall z, true z -> within e drawn z.
-
 Record figure := { outline : list ring; rounded : list (list point * Q); error : Q }.   (* rounded: points, radius *)
 Definition drawn (f : figure) (z : point) : Prop :=
   inside (outline f) z \/ exists p, In p (rounded f) /\ within (snd p) (hull (fst p)) z.
@@ -71,20 +69,15 @@ Definition place (m : motion) (rs : list ring) : list ring :=
   map (fun r => map (move m) (if mirrored m then rev r else r)) rs.
 
 Record part := {
-  form : figure;
-  demand : option nat;                     (* None: any number *)
-  rotations : option (list (Q * Q));       (* allowed (cosine, sine); None: any *)
-  mirrored_rotations : option (list (Q * Q));      (* those of mirrored placements *)
-  may_mirror : bool }.
+  form : figure; demand : option nat;                                     (* None: any number *)
+  rotations : option (list (Q * Q));                                      (* allowed (cosine, sine); None: any *)
+  mirrored_rotations : option (list (Q * Q)); may_mirror : bool }.        (* for mirrored placements *)
 (* `slack`: 0, or where a rational rotation stands for an irrational one, by how much points may be off. *)
 Record placement := { kind : nat; by_motion : motion; slack : Q }.
 Record layout := {
   sheet : option figure;                   (* the container: rings with its holes, or a disc; None: no container *)
   obstacles : list (figure * Q);           (* further defects, which may cross its edge, and their distances from parts *)
-  kinds : list part;
-  placements : list placement;
-  spacing : Q; margin : Q }.
-
+  kinds : list part; placements : list placement; spacing : Q; margin : Q }.
 Definition no_part : part :=
   {| form := {| outline := []; rounded := []; error := 0 |}; demand := None; rotations := None; mirrored_rotations := None; may_mirror := true |}.
 Definition kind_of (l : layout) (x : placement) : part := nth (kind x) (kinds l) no_part.
@@ -94,20 +87,17 @@ Definition placed (l : layout) (x : placement) : figure :=
      rounded := map (fun p => (map (move (by_motion x)) (fst p), snd p)) (rounded f);
      error := error f + slack x |}.
 
+Definition rotated (l : layout) (x : placement) : Prop :=      (* by an allowed rotation *)
+  let p := kind_of l x in let m := by_motion x in
+  forall cs, (if mirrored m then mirrored_rotations p else rotations p) = Some cs ->
+  exists c, In c cs /\ fst c == cosine m /\ snd c == sine m.
 Definition allowed (l : layout) (x : placement) : Prop :=
   let m := by_motion x in
-  (kind x < length (kinds l))%nat /\ 0 <= slack x /\
-  cosine m * cosine m + sine m * sine m == 1 /\
-  (mirrored m = true -> may_mirror (kind_of l x) = true) /\
-  match (if mirrored m then mirrored_rotations (kind_of l x) else rotations (kind_of l x)) with
-  | None => True
-  | Some cs => exists c, In c cs /\ fst c == cosine m /\ snd c == sine m
-  end.
-Definition supplied (l : layout) : Prop :=
-  forall k p n, nth_error (kinds l) k = Some p -> demand p = Some n ->
-  count_occ Nat.eq_dec (map kind (placements l)) k = n.
-
-(* Two sets that do not overlap, any two of whose points are at distance d or more *)
+  (kind x < length (kinds l))%nat /\ 0 <= slack x /\ cosine m * cosine m + sine m * sine m == 1 /\
+  (mirrored m = true -> may_mirror (kind_of l x) = true) /\ rotated l x.
+Definition number (l : layout) (k : nat) : nat := count_occ Nat.eq_dec (map kind (placements l)) k.
+Definition demanded (l : layout) (k n : nat) : Prop := exists p, nth_error (kinds l) k = Some p /\ demand p = Some n.
+Definition supplied (l : layout) : Prop := forall k n, demanded l k n -> number l k = n.
 Definition keeps (d : Q) (S T : point -> Prop) : Prop := ~ overlap S T /\ at_least d S T.
 
 Record valid (l : layout) : Prop := {
@@ -122,9 +112,37 @@ Record valid (l : layout) : Prop := {
   no_defect : forall x o S T, In x (placements l) -> In o (obstacles l) ->
     shape_of (placed l x) S -> shape_of (fst o) T -> keeps (snd o) S T }.
 
-(* No-fit polygons.  O is the set of translations at which G + t overlaps D.  The claim on rings (loops)
-   and segments (exact fits): together they are the boundary of O, the translations at which G + t touches
-   D without overlap; and off them, the loops wind once around what is in O, and not around the rest. *)
+(* Faults, whatever the true shapes are.  These have all points that are deeper than e in the drawn shape; and points of
+   one of the two, or of the complement of one of the two, are at distance e or less from the other, or its complement. *)
+Definition true_shape (f : figure) (S : point -> Prop) : Prop :=
+  (forall z, ~ within (error f) (fun y => ~ drawn f y) z -> S z) /\ known_to (error f) (drawn f) S /\
+  known_to (error f) S (drawn f) /\ known_to (error f) (fun z => ~ S z) (fun z => ~ drawn f z).
+Inductive body := Part (i : nat) | Beyond | Obstacle (k : nat).       (* Beyond: all that is outside the sheet *)
+Definition body_of (l : layout) (b : body) : option (Q * ((point -> Prop) -> Prop)) :=     (* its distance; all it may be *)
+  match b with
+  | Part i => option_map (fun x => (spacing l, true_shape (placed l x))) (nth_error (placements l) i)
+  | Beyond => option_map (fun f => (margin l, fun U => exists C, true_shape f C /\ U = fun z => ~ C z)) (sheet l)
+  | Obstacle k => option_map (fun o => (snd o, true_shape (fst o))) (nth_error (obstacles l) k)
+  end.
+Definition between (l : layout) (i : nat) (b : body) (R : Q -> (point -> Prop) -> (point -> Prop) -> Prop) : Prop :=
+  b <> Part i /\ exists x d F, nth_error (placements l) i = Some x /\ body_of l b = Some (d, F) /\
+  (exists S T, true_shape (placed l x) S /\ F T) /\ forall S T, true_shape (placed l x) S -> F T -> R d S T.
+Inductive fault := Missing (k : nat) | Surplus (k : nat) | Mirrored (k : nat) | Rotated (k : nat) | Not_simple (k : nat)
+  | Overlapping (i : nat) (b : body) | Too_close (i : nat) (b : body).
+Definition has (l : layout) (f : fault) : Prop :=
+  match f with
+  | Missing k => exists n, demanded l k n /\ (number l k < n)%nat
+  | Surplus k => exists n, demanded l k n /\ (n < number l k)%nat
+  | Mirrored k => exists x, In x (placements l) /\ kind x = k /\ mirrored (by_motion x) = true /\ may_mirror (kind_of l x) = false
+  | Rotated k => exists x, In x (placements l) /\ kind x = k /\ ~ rotated l x
+  | Not_simple k => exists p z, nth_error (kinds l) k = Some p /\ winding (outline (form p)) z <> 0%Z /\ winding (outline (form p)) z <> 1%Z
+  | Overlapping i b => between l i b (fun _ S T => overlap S T)
+  | Too_close i b => between l i b (fun d S T => ~ at_least d S T)
+  end.
+Definition faulty (l : layout) (fs : list fault) : Prop := fs <> [] /\ Forall (has l) fs /\ ~ valid l.
+
+(* No-fit polygons.  O is the set of translations at which G + t overlaps D.  The claim on rings (loops) and segments (exact
+   fits): together they are the boundary of O, where G + t touches D; off them, the loops wind once around O, not the rest. *)
 Definition translate (t : point) (rs : list ring) : list ring :=
   map (map (fun p => (fst p + fst t, snd p + snd t))) rs.
 Definition overlaps_at (D G : list ring) (t : point) : Prop := overlap (inside D) (inside (translate t G)).
@@ -142,8 +160,7 @@ Definition no_fit_claim (D G loops : list ring) (fits : list (point * point)) : 
 Definition named (exterior : ring) (holes : list ring) : Prop :=
   simple [exterior] /\ Forall (fun h => simple [h]) holes /\ forall z, winding holes z = 0%Z \/ winding holes z = 1%Z.
 Definition with_holes (exterior : ring) (holes : list ring) : list ring := exterior :: map (@rev _) holes.
-(* Contact: the closed shapes have a common point, but no overlap.  The exterior is around all others: off the
-   loops and fits, what a hole goes around is inside the exterior. *)
+(* Contact: the closed shapes have a common point, but no overlap.  Off loops and fits, holes are inside the exterior. *)
 Definition touches_at (D G : list ring) (t : point) : Prop :=
   (exists z, closure (inside D) z /\ closure (inside (translate t G)) z) /\ ~ overlaps_at D G t.
 Definition no_fit_polygon (D G : list ring) (exterior : ring) (holes : list ring) (fits : list (point * point)) : Prop :=
@@ -151,25 +168,22 @@ Definition no_fit_polygon (D G : list ring) (exterior : ring) (holes : list ring
   no_fit_claim D G (with_holes exterior holes) fits /\ (forall t, L t <-> touches_at D G t) /\ named exterior holes /\
   forall z, ~ L z -> winding holes z = 1%Z -> winding [exterior] z = 1%Z.
 
-(* Inner fits: the translations at which G + t is in the container C.  The claim on regions (exteriors
-   counter-clockwise, holes clockwise) and exact fits. *)
+(* Inner fits: the translations at which G + t is in the container C.  The claim on regions and exact fits. *)
 Definition fits_at (C G : list ring) (t : point) : Prop := forall z, inside (translate t G) z -> inside C z.
 Definition inner_fit_claim (C G regions : list ring) (fits : list (point * point)) : Prop :=
   let L := on_any (flat_map edges regions ++ fits) in
   (forall t, L t <-> (fits_at C G t /\ closure (fun u => ~ fits_at C G u) t)) /\
   (forall t, ~ L t -> (fits_at C G t /\ winding regions t = 1%Z) \/ (~ fits_at C G t /\ winding regions t = 0%Z)).
-
 Definition inner_fit_polygon (C G : list ring) (regions : list (ring * list ring)) (fits : list (point * point)) : Prop :=
   inner_fit_claim C G (flat_map (fun r => with_holes (fst r) (snd r)) regions) fits /\ Forall (fun r => named (fst r) (snd r)) regions.
 
-(* Swept areas: G travels along the segments T.  The claim on loops, and on slits, which are no part of the
-   answer: off them, the loops wind once around the points that G covers on its way, and not around the rest. *)
+(* Swept areas: G travels along the segments T.  Off loops, and slits, which are no part of the answer, the loops wind once
+   around the points that G covers on its way, and not around the rest. *)
 Definition swept (T : list (point * point)) (G : list ring) (p : point) : Prop :=
   exists t, on_any T t /\ closure (inside (translate t G)) p.
 Definition sweep_claim (T : list (point * point)) (G loops : list ring) (slits : list (point * point)) : Prop :=
   forall p, ~ on_any (flat_map edges loops ++ slits) p ->
     (swept T G p /\ winding loops p = 1%Z) \/ (~ swept T G p /\ winding loops p = 0%Z).
-
 (* Twice the area within rings, by the shoelace formula *)
 Definition doubled_area (rs : list ring) : Q :=
   fold_right Qplus 0 (map (fun e => fst (fst e) * snd (snd e) - fst (snd e) * snd (fst e)) (flat_map edges rs)).
@@ -182,13 +196,3 @@ Definition sweep_of (D G : list ring) (T : ring) (holes : list ring) (fits : lis
 (* The sum of a shape and a path: what the shape covers on its way *)
 Definition path_sum (G : list ring) (path : list point) (exterior : ring) (holes : list ring) (slits : list (point * point)) : Prop :=
   sweep_claim (combine path (tl path)) G (with_holes exterior holes) slits /\ named exterior holes.
-
-(* Real points: a sequence of rational points, number n at distance 1 / (n + 1) or less from it in both coordinates.
-   RealPoints.v: a real point in the interiors of two sets shows an overlap, and `at_least` holds for real limits. *)
-Definition radius (n : nat) : Q := 1 # Pos.of_succ_nat n.
-Definition real_point (x : nat -> point) : Prop := forall n m,
-  let d := radius n + radius m in - d <= fst (x n) - fst (x m) <= d /\ - d <= snd (x n) - snd (x m) <= d.
-Definition real_interior (S : point -> Prop) (x : nat -> point) : Prop :=   (* a square around it, of rational points of S *)
-  exists n e, radius n < e /\ forall y, close e y (x n) -> S y.
-Definition real_closure (S : point -> Prop) (x : nat -> point) : Prop :=
-  forall n, exists y, S y /\ close (2 * radius n) y (x n).

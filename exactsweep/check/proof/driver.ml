@@ -53,6 +53,11 @@ let certificate () =
   let kind_pieces = list (fun () -> list ring) in let obstacle_pieces = list (fun () -> list ring) in
   let outside_pieces = list ring in let frame = quadruple () in
   { denominator; part_pieces; kind_pieces; obstacle_pieces; outside_pieces; frame }
+let body () = match nat () with 0 -> Part (nat ()) | 1 -> Beyond | _ -> Obstacle (nat ())
+let fault () = match nat () with
+  | 0 -> Missing (nat ()) | 1 -> Surplus (nat ()) | 2 -> Mirrored (nat ()) | 3 -> Rotated (nat ()) | 4 -> Not_simple (nat ())
+  | 5 -> let i = nat () in Overlapping (i, body ())
+  | _ -> let i = nat () in Too_close (i, body ())
 (* Normals are hints: whatever this table gives, the theorem holds. *)
 let normals () =
   let table = Hashtbl.create 1000 in
@@ -82,6 +87,7 @@ let answer = function
   | "layout" ->
     let l = layout () in let c = certificate () in let n = normals () in
     check_layout n (fun a i b j -> n (B.int_of_big_int a) i b j) l c
+  | "faults" -> let l = layout () in let fs = list fault in check_faults l fs (list segment)
   | word -> failwith ("unknown claim " ^ word)
 
 (* One claim a line; a line that is none is an error of the program that writes it. *)
