@@ -11,11 +11,11 @@ from typing import NamedTuple, NoReturn, Self, TypeVar
 from exactsweep.formats.curved.curves import bound_root
 from exactsweep.formats.curved.path import SimpleLines
 from exactsweep.formats.error import FormatError
+from exactsweep.formats.filling import Filled, Rule, fill
 from exactsweep.formats.part_list import Said
 from exactsweep.formats.rounded import RoundedOutline
 from exactsweep.formats.size import FAULT, require_count
 from exactsweep.geometry.canonical import PolygonError
-from exactsweep.geometry.filling import Filled, Rule, fill
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.geometry.region import AnyPolygon, Region
 from exactsweep.numbers.error import NumberError

@@ -28,10 +28,10 @@ from typing import Literal, NamedTuple
 from exactsweep.formats.candidate import NamedRegion
 from exactsweep.formats.curved.curves import bound_root
 from exactsweep.formats.error import FormatError
+from exactsweep.formats.filling import fill
 from exactsweep.geometry import overlap
 from exactsweep.geometry.canonical import PolygonError, find_doubled_area
 from exactsweep.geometry.distance import measure_to_edge
-from exactsweep.geometry.filling import fill
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.geometry.region import Region, share_lattice
 from exactsweep.geometry.vectors import cross, find_hull, minus, turn

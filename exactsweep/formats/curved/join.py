@@ -18,9 +18,9 @@ from exactsweep.formats.curved.path import (
 )
 from exactsweep.formats.decimals import show_point
 from exactsweep.formats.error import FormatError
+from exactsweep.formats.filling import Rule
 from exactsweep.formats.reading import Reading
 from exactsweep.formats.rounded import find_rounded
-from exactsweep.geometry.filling import Rule
 from exactsweep.numbers.error import name_refusals
 from exactsweep.numbers.number import Point
 from exactsweep.words import count

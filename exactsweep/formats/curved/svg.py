@@ -26,10 +26,10 @@ from exactsweep.formats.curved.xml import line, parse_xml
 from exactsweep.formats.decimals import count_decimals, read_points
 from exactsweep.formats.depth import nest_lines
 from exactsweep.formats.error import FormatError, OrnamentError
+from exactsweep.formats.filling import Filled, fill
 from exactsweep.formats.reading import Reading
 from exactsweep.formats.rounded import find_rounded
 from exactsweep.geometry.canonical import PolygonError
-from exactsweep.geometry.filling import Filled, fill
 from exactsweep.numbers.error import quote
 from exactsweep.numbers.number import Point
 from exactsweep.words import count
@@ -64,7 +64,7 @@ def parse_svg(text: str, reading: Reading) -> list[Candidate]:
             limits exceeded.
 
     Cost: linear in the length of the text and in the drawn copies; that of
-        `exactsweep.geometry.filling.fill` for paths with several subpaths.
+        `exactsweep.formats.filling.fill` for paths with several subpaths.
 
     Example:
         >>> text = '<svg xmlns="http://www.w3.org/2000/svg"><path id="a" d="M0 0h2v.5z"/></svg>'

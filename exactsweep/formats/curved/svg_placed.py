@@ -13,8 +13,8 @@ from exactsweep.formats.curved.svg_transform import compose, read_transform
 from exactsweep.formats.curved.xml import line
 from exactsweep.formats.decimals import read_decimal, read_decimals
 from exactsweep.formats.error import FormatError
+from exactsweep.formats.filling import Rule
 from exactsweep.formats.reading import UNITS, Reading
-from exactsweep.geometry.filling import Rule
 from exactsweep.numbers.error import name_refusals, quote
 
 if TYPE_CHECKING:

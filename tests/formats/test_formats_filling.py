@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 from tiers import examples
 
 from exactsweep import Point, PolygonError, Region
-from exactsweep.geometry.filling import Rule, fill
+from exactsweep.formats.filling import Rule, fill
 
 RULES: dict[Rule, Callable[[int], object]] = {
     "nonzero": bool,
@@ -84,7 +84,7 @@ def test_regions_keep_the_order_of_drawing() -> None:
 def test_edges_that_cross_very_often_are_rejected(
     most: int, refused: bool, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr("exactsweep.geometry.filling.MAX_PAIRS", most)
+    monkeypatch.setattr("exactsweep.formats.filling.MAX_PAIRS", most)
     bars = [
         [Point(Fraction(x), Fraction(y)) for x, y in [(0, 0), (12, k), (12, k + 1), (0, 12 - k)]]
         for k in range(1, 12)
