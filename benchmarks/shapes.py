@@ -13,7 +13,7 @@ from benchmarks.clock import milliseconds
 from benchmarks.families import ANY_SHAPE
 from exactsweep import Polygon, no_fit_polygon
 from exactsweep.geometry.edges import EdgeIndex
-from exactsweep.geometry.overlap import MovedPair, Relation
+from exactsweep.geometry.overlap import Relation, relate
 from exactsweep.paper.growth import MN, MN_LOG, Growth, Size
 from exactsweep.procedures.cover import leave_out_covered
 from exactsweep.procedures.crossings import HomogeneousPoint, cut
@@ -40,11 +40,11 @@ def count_steps(family: str, size: int) -> tuple[int, ...]:
     segments = find_contact_segments([directrix], moving, leave_out_overlapped)
     left = leave_out_covered(segments, [[directrix]], [moving])
     pieces = cut(left)
-    pair, asked = MovedPair(EdgeIndex([directrix]), EdgeIndex([generatrix])), [0]
+    pair, asked = (EdgeIndex([directrix]), EdgeIndex([generatrix])), [0]
 
     def overlaps(position: HomogeneousPoint) -> bool:
         asked[0] += 1
-        return pair.relate(*position) is Relation.OVERLAP
+        return relate(*pair, *position) is Relation.OVERLAP
 
     find_free(pieces, overlaps)
     crossings = sum(len(segment.cuts) for segment in left) // 2

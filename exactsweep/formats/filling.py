@@ -20,7 +20,7 @@ from exactsweep.geometry.canonical import PolygonError, find_doubled_area
 from exactsweep.geometry.distance import measure_to_edge
 from exactsweep.geometry.near import find_near
 from exactsweep.geometry.reading import to_lattice
-from exactsweep.geometry.vectors import angle_key, compare_angles, minus, turn
+from exactsweep.geometry.vectors import angle_key, compare_angles, minus, orientation
 from exactsweep.numbers.number import Edge, Point, Rational, Vertex, divide_exactly
 
 MAX_PAIRS = 5_000_000
@@ -118,7 +118,12 @@ def _cut(numbers: Mapping[Edge, int]) -> dict[Edge, int]:
 def _meet(one: Edge, other: Edge) -> Iterator[Vertex]:
     """Yield the point where two edges meet, or the ends of what they share."""
     (a, b), (p, q) = one, other
-    of_p, of_q, of_a, of_b = turn(a, b, p), turn(a, b, q), turn(p, q, a), turn(p, q, b)
+    of_p, of_q, of_a, of_b = (
+        orientation(a, b, p),
+        orientation(a, b, q),
+        orientation(p, q, a),
+        orientation(p, q, b),
+    )
     if of_p == of_q == 0:
         for low, high, ends in ((a, b, other), (p, q, one)):
             yield from (end for end in ends if min(low, high) <= end <= max(low, high))
@@ -161,7 +166,7 @@ def _wind(numbers: Mapping[Edge, int], is_filled: Callable[[int], bool]) -> _Wou
     line: list[Edge] = []
     above: dict[Edge, int] = {}
     for vertex in sorted(vertices):
-        low = bisect_left(line, True, key=lambda e: turn(e[0], e[1], vertex) <= 0)
+        low = bisect_left(line, True, key=lambda e: orientation(e[0], e[1], vertex) <= 0)
         high = low
         while high < len(line) and line[high][1] == vertex:
             high += 1
@@ -186,7 +191,7 @@ def _wind(numbers: Mapping[Edge, int], is_filled: Callable[[int], bool]) -> _Wou
 
 
 def _compare_slopes(one: Edge, other: Edge) -> int:
-    side = turn(*one, other[1])
+    side = orientation(*one, other[1])
     return -1 if side > 0 else int(side < 0)
 
 

@@ -15,7 +15,7 @@ from typing import NamedTuple
 
 from exactsweep.formats.curved.curves import Arc
 from exactsweep.formats.curved.path import Path
-from exactsweep.geometry.vectors import cross, minus, turn
+from exactsweep.geometry.vectors import cross, minus, orientation
 from exactsweep.numbers.number import Point, find_root
 
 _TURN = 0.5
@@ -120,6 +120,6 @@ def _list_corners(centers: Sequence[Point], *, left: bool) -> tuple[Point, ...] 
     if not left:
         ring.reverse()
     corners = zip((ring[-1], *ring[:-1]), ring, (*ring[1:], ring[0]), strict=True)
-    if len(ring) > 2 and not all(turn(p, q, r) > 0 for p, q, r in corners):
+    if len(ring) > 2 and not all(orientation(p, q, r) > 0 for p, q, r in corners):
         return None
     return tuple(ring)

@@ -34,7 +34,7 @@ from exactsweep.geometry.canonical import PolygonError, find_doubled_area
 from exactsweep.geometry.distance import measure_to_edge
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.geometry.region import Region, share_lattice
-from exactsweep.geometry.vectors import cross, find_hull, minus, turn
+from exactsweep.geometry.vectors import cross, find_hull, minus, orientation
 from exactsweep.numbers.error import quote, tells_arguments
 from exactsweep.numbers.number import Edge, Fit, Point, Rational, Vertex, divide_exactly
 
@@ -300,7 +300,8 @@ def _closest(v: Point, e: Vertex, f: Vertex) -> list[Point]:
 def _ears(corners: Sequence[Point]) -> list[tuple[Rational, int]]:
     """Return for each right turn twice the area of its ear, and its index."""
     turns = (
-        turn(corners[i - 1], v, corners[(i + 1) % len(corners)]) for i, v in enumerate(corners)
+        orientation(corners[i - 1], v, corners[(i + 1) % len(corners)])
+        for i, v in enumerate(corners)
     )
     return [(-area, i) for i, area in enumerate(turns) if area < 0]
 

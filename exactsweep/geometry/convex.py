@@ -17,7 +17,7 @@ from itertools import chain, pairwise
 from math import isqrt
 
 from exactsweep.geometry.near import BoxRows
-from exactsweep.geometry.vectors import angle_key, cross, is_between, minus, turn
+from exactsweep.geometry.vectors import angle_key, cross, is_between, minus, orientation
 
 IntVertex = tuple[int, int]
 IntRing = Sequence[IntVertex]
@@ -70,10 +70,10 @@ class _Plan:
             a, b = self.edges[k]
             if a in (p, q) or b in (p, q):
                 continue
-            from_a, from_b = turn(p, q, a), turn(p, q, b)
+            from_a, from_b = orientation(p, q, a), orientation(p, q, b)
             if (from_a > 0 < from_b) or (from_a < 0 > from_b):
                 continue
-            if turn(a, b, p) * turn(a, b, q) <= 0:
+            if orientation(a, b, p) * orientation(a, b, q) <= 0:
                 return True
         return False
 

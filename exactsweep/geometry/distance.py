@@ -133,7 +133,7 @@ def _find_vertex_inside(first: EdgeTree, second: EdgeTree) -> Point | None:
     for one, other in ((first, second), (second, first)):
         x, y = one.rings[0][0]
         left, right, low, high = other.levels[-1][0]
-        if left < x < right and low < y < high and is_inside((2 * x, 2 * y), other.rings):
+        if left < x < right and low < y < high and is_inside((x, y), other.rings):
             return Point(Fraction(x), Fraction(y))
     return None
 

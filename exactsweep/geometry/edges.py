@@ -2,27 +2,20 @@
 
 from __future__ import annotations
 
-from collections import defaultdict
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Sequence
 from functools import cached_property
 from itertools import chain, pairwise
 
 from exactsweep.geometry.near import Bounds, BoxRows
-from exactsweep.geometry.vectors import cross
+from exactsweep.geometry.vectors import cross, is_on_segment
 from exactsweep.numbers.number import Rational, Vertex
 
 Rings = Sequence[Sequence[Vertex]]
 """The boundary of a shape: rings with the interior on the left."""
 
-Places = defaultdict[tuple[int, int], set[Vertex]]
-"""Points on an edge, by the number of the ring and of the edge in it."""
-
 BoxedEdge = tuple[int, int, int, int, Rational, Rational, Rational, Rational, int, int]
 """An edge: its box, rounded outwards to ints; its ends (ax, ay) and (bx, by); the number of its
 ring, and its number there."""
-
-MANY_EDGES = 64
-"""The number of edges up to which a search examines all of them."""
 
 
 class EdgeIndex:
@@ -66,15 +59,7 @@ class EdgeIndex:
 
     def near(self, box: Bounds) -> list[BoxedEdge]:
         """Return the edges whose boxes meet a box, by their left ends."""
-        edges = self.edges
-        if len(edges) > MANY_EDGES:
-            return [edges[k] for k in sorted(self._rows.find(box))]
-        left, right, low, high = box
-        return [
-            edge
-            for edge in edges
-            if edge[0] <= right and edge[1] >= left and edge[2] <= high and edge[3] >= low
-        ]
+        return [self.edges[k] for k in sorted(self._rows.find(box))]
 
     def contains(self, x: Rational, y: Rational, scale: int) -> bool:
         """Decide whether (x / scale, y / scale), which is on no edge, is inside.
@@ -84,14 +69,8 @@ class EdgeIndex:
         left, right, low, high = self.box
         if not (left * scale < x < right * scale and low * scale < y < high * scale):
             return False
-        is_inside = False
         ray = left // 1, -(-x // scale), y // scale, -(-y // scale)
-        for _, _, _, _, ax, ay, bx, by, _, _ in self.near(ray):
-            up = ay < by
-            if (ay * scale <= y < by * scale) if up else (by * scale <= y < ay * scale):
-                side = (bx - ax) * (y - ay * scale) - (by - ay) * (x - ax * scale)
-                is_inside ^= (side < 0) == up
-        return is_inside
+        return _is_around(x, y, (edge[4:8] for edge in self.near(ray)), scale)
 
     def after(self, edge: BoxedEdge) -> Vertex:
         """Return the vertex after an edge."""
@@ -132,57 +111,29 @@ def touch(a: Vertex, b: Vertex, p: Vertex, q: Vertex) -> list[Vertex] | None:
     return [a if of_a == 0 else b if of_b == 0 else p if of_p == 0 else q]
 
 
-def find_points_between(
-    rings: Mapping[int, Sequence[Vertex]],
-    places: Places,
-    scale: int = 1,
-    shift: Vertex = (0, 0),
-) -> Iterator[Vertex]:
-    """Yield a point, times two, of each piece of the rings between places, or one vertex.
-
-    The rings are first enlarged by the scale and then moved by the shift; the places are on the
-    moved rings. Pieces on edges without places belong to pieces on edges with places, so only the
-    latter are examined. Without places the result is a vertex.
-
-    Cost: O(p log p + r) for p places and r rings.
-    """
-    dx, dy = shift
-    found: set[int] = set()
-    for (k, i), on_edge in places.items():
-        if not on_edge:
-            continue
-        found.add(k)
-        ring = rings[k]
-        ends = {(x * scale + dx, y * scale + dy) for x, y in (ring[i], ring[(i + 1) % len(ring)])}
-        along = sorted(ends | on_edge)
-        yield from ((ax + bx, ay + by) for (ax, ay), (bx, by) in pairwise(along))
-    for k in rings.keys() - found:
-        x, y = rings[k][0]
-        yield 2 * (x * scale + dx), 2 * (y * scale + dy)
-
-
-def is_inside(doubled: Vertex, rings: Rings) -> bool:
-    """Decide whether a point, multiplied by two, is an inner point of a shape. Cost: O(n).
+def is_inside(point: Vertex, rings: Rings) -> bool:
+    """Decide whether a point is an inner point of a shape. Cost: O(n).
 
     >>> square = [[(0, 0), (2, 0), (2, 2), (0, 2)]]
-    >>> is_inside((1, 1), square), is_inside((4, 1), square)
+    >>> is_inside((1, 1), square), is_inside((2, 1), square)
     (True, False)
     """
-    x, y = doubled
-    inside = False
-    for ring in rings:
-        for (px, py), (qx, qy) in pairwise((*ring, ring[0])):
-            ax, bx = px * 2 - x, qx * 2 - x
-            if (ax > 0) != (bx > 0):
-                ay, by = py * 2 - y, qy * 2 - y
-                turn = ax * by - ay * bx
-                if turn == 0:
-                    return False
-                if (turn < 0) == (bx > ax):
-                    inside = not inside
-            elif bx == 0:
-                # A vertex counts as the end of the edge before it.
-                ay, by = py * 2 - y, qy * 2 - y
-                if by == 0 or (ax == 0 and (ay < 0) != (by < 0)):
-                    return False
-    return inside
+    edges = [edge for ring in rings for edge in pairwise((*ring, ring[0]))]
+    is_around = _is_around(*point, ((*a, *b) for a, b in edges))
+    return is_around and not any(is_on_segment(point, *edge) for edge in edges)
+
+
+def _is_around(
+    x: Rational,
+    y: Rational,
+    edges: Iterable[tuple[Rational, Rational, Rational, Rational]],
+    scale: int = 1,
+) -> bool:
+    """Decide whether (x / scale, y / scale), which is on no edge, is right of an odd number."""
+    odd = False
+    for ax, ay, bx, by in edges:
+        up = ay < by
+        if (ay * scale <= y < by * scale) if up else (by * scale <= y < ay * scale):
+            side = (bx - ax) * (y - ay * scale) - (by - ay) * (x - ax * scale)
+            odd ^= (side < 0) == up
+    return odd

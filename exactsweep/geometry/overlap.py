@@ -21,13 +21,10 @@ from collections import defaultdict
 from collections.abc import Iterable, Mapping, Sequence
 from enum import Enum
 
-from exactsweep.geometry.edges import MANY_EDGES, BoxedEdge, EdgeIndex, Rings
+from exactsweep.geometry.edges import BoxedEdge, EdgeIndex, Rings
 from exactsweep.geometry.near import Bounds
-from exactsweep.geometry.vectors import cross, minus, turn
-from exactsweep.numbers.number import Edge, Rational, Vertex
-
-_MovedEdge = tuple[Rational, Rational, Rational, Rational, Vertex, Vertex, BoxedEdge]
-"""An edge on the lattice of a position: its box, its ends, and the edge itself."""
+from exactsweep.geometry.vectors import cross, minus, orientation
+from exactsweep.numbers.number import Rational, Vertex
 
 _EdgeCone = tuple[Vertex, Vertex]
 """The rays that leave and arrive at a point of a boundary."""
@@ -41,146 +38,103 @@ class Relation(Enum):
     OVERLAP = "overlap"
 
 
-class MovedPair:
-    """Two shapes or paths, the second one moved; not both are paths."""
+def relate(
+    shape: EdgeIndex, part: EdgeIndex, x: Rational = 0, y: Rational = 0, scale: int = 1
+) -> Relation:
+    """Find the relation of two shapes or paths, the second one moved by (x / scale, y / scale).
 
-    def __init__(self, shape: EdgeIndex, part: EdgeIndex) -> None:
-        self._shape, self._part = shape, part
-        self._has_path = shape.is_path or part.is_path
-        # Edges that crossed last time are likely to cross again.
-        self._crossing: tuple[BoxedEdge, BoxedEdge] | None = None
+    Not both are paths. All common points of the boundaries lie in the intersection of the two
+    boxes, so only edges that meet it are examined. Cost: that of `EdgeIndex.near` for each of them.
 
-    def relate(self, x: Rational, y: Rational, scale: int = 1) -> Relation:
-        """Find the relation of the shapes, the second one moved by (x / scale, y / scale).
-
-        All common points of the boundaries lie in the intersection of the two boxes, so only edges
-        that meet it are examined. Cost: that of `EdgeIndex.near`, and of a search for pairs of
-        edges that meet.
-
-        >>> square = EdgeIndex([[(0, 0), (2, 0), (2, 2), (0, 2)]])
-        >>> [MovedPair(square, square).relate(k, k).value for k in (1, 2, 3)]
-        ['overlap', 'contact', 'apart']
-        """
-        shape, part = self._shape, self._part
-        x0, x1, y0, y1 = x // scale, -(-x // scale), y // scale, -(-y // scale)
-        (left, right, low, high), (west, east, south, north) = shape.box, part.box
-        left, right = max(left, west + x0), min(right, east + x1)
-        low, high = max(low, south + y0), min(high, north + y1)
-        if left > right or low > high:
-            return Relation.APART
-        if self._crossing:
-            ours, other = self._crossing
-            if _cross(_move(ours, 0, 0, scale)[4:6], _move(other, x, y, scale)[4:6]):
-                return Relation.OVERLAP
-        near = shape.near((left, right, low, high))
-        others = part.near((left - x1, right - x0, low - y1, high - y0)) if near else []
-        cones = self._find_cones(near if others else [], others, x, y, scale)
-        if cones is None:
-            return Relation.OVERLAP
-        if cones:
-            meet = any(_cones_meet(*around) for around in cones.values())
-            return Relation.OVERLAP if meet else Relation.CONTACT
-        for one, second, dx, dy in ((shape, part, x, y), (part, shape, -x, -y)):
-            for (px, py), *_ in second.rings:
-                if one.contains(px * scale + dx, py * scale + dy, scale):
-                    return Relation.OVERLAP
+    >>> square = EdgeIndex([[(0, 0), (2, 0), (2, 2), (0, 2)]])
+    >>> [relate(square, square, k, k).value for k in (1, 2, 3)]
+    ['overlap', 'contact', 'apart']
+    """
+    x0, x1, y0, y1 = x // scale, -(-x // scale), y // scale, -(-y // scale)
+    (left, right, low, high), (west, east, south, north) = shape.box, part.box
+    left, right = max(left, west + x0), min(right, east + x1)
+    low, high = max(low, south + y0), min(high, north + y1)
+    if left > right or low > high:
         return Relation.APART
+    cones = _find_cones(shape, part, (left, right, low, high), (x, y, scale))
+    if cones is None:
+        return Relation.OVERLAP
+    if cones:
+        meet = any(_cones_meet(*around) for around in cones.values())
+        return Relation.OVERLAP if meet else Relation.CONTACT
+    for one, other, dx, dy in ((shape, part, x, y), (part, shape, -x, -y)):
+        if any(one.contains(u * scale + dx, v * scale + dy, scale) for (u, v), *_ in other.rings):
+            return Relation.OVERLAP
+    return Relation.APART
 
-    def _find_cones(
-        self,
-        near: Sequence[BoxedEdge],
-        others: Sequence[BoxedEdge],
-        x: Rational,
-        y: Rational,
-        scale: int,
-    ) -> Mapping[Vertex, tuple[set[_EdgeCone], set[_EdgeCone]]] | None:
-        """Find the cones of both shapes at the common points of their boundaries.
 
-        Returns None if edges cross, or run along each other in one direction.
-        """
-        cones: defaultdict[Vertex, tuple[set[_EdgeCone], set[_EdgeCone]]]
-        cones = defaultdict(lambda: (set(), set()))
-        along: list[tuple[Vertex, ...]] = []
-        x0, x1, y0, y1 = x // scale, -(-x // scale), y // scale, -(-y // scale)
-        many = len(others) > MANY_EDGES
-        meeting = [] if many else [_move(edge, x, y, scale) for edge in others]
-        for edge in near:
-            left, right, low, high, p, q, _ = _move(edge, 0, 0, scale)
-            (px, py), (qx, qy) = p, q
-            dx, dy, c = qx - px, qy - py, qx * py - qy * px
-            if many:
-                box = edge[0] - x1, edge[1] - x0, edge[2] - y1, edge[3] - y0
-                meeting = [_move(other, x, y, scale) for other in self._part.near(box)]
-            for west, east, south, north, a, b, other in meeting:
-                if west > right or east < left or south > high or north < low:
-                    continue
-                (ax, ay), (bx, by) = a, b
-                of_a, of_b = dx * ay - dy * ax - c, dx * by - dy * bx - c
-                if (of_a > 0 < of_b) or (of_a < 0 > of_b):
-                    continue
-                ex, ey = bx - ax, by - ay
-                of_p, of_q = ex * (py - ay) - ey * (px - ax), ex * (qy - ay) - ey * (qx - ax)
-                if (of_p > 0 < of_q) or (of_p < 0 > of_q):
-                    continue
-                if of_a and of_b and of_p and of_q:
-                    self._crossing = edge, other
+def _find_cones(
+    shape: EdgeIndex, part: EdgeIndex, box: Bounds, position: tuple[Rational, Rational, int]
+) -> Mapping[Vertex, tuple[set[_EdgeCone], set[_EdgeCone]]] | None:
+    """Find the cones of both shapes at the common points of their boundaries.
+
+    Returns None if edges cross, or run along each other in one direction.
+    """
+    cones: defaultdict[Vertex, tuple[set[_EdgeCone], set[_EdgeCone]]]
+    cones = defaultdict(lambda: (set(), set()))
+    along: list[tuple[Vertex, ...]] = []
+    has_path = shape.is_path or part.is_path
+    x, y, scale = position
+    x0, x1, y0, y1 = x // scale, -(-x // scale), y // scale, -(-y // scale)
+    left, right, low, high = box
+    others = part.near((left - x1, right - x0, low - y1, high - y0))
+    moved = [_move(edge, x, y, scale) for edge in others]
+    for edge in shape.near(box) if others else ():
+        left, right, low, high, p, q = _move(edge, 0, 0, scale)
+        dx, dy, c = q[0] - p[0], q[1] - p[1], cross(q, p)
+        for (west, east, south, north, a, b), other in zip(moved, others, strict=True):
+            if west > right or east < left or south > high or north < low:
+                continue
+            of_a, of_b = dx * a[1] - dy * a[0] - c, dx * b[1] - dy * b[0] - c
+            if (of_a > 0 < of_b) or (of_a < 0 > of_b):
+                continue
+            of_p, of_q = orientation(a, b, p), orientation(a, b, q)
+            if (of_p > 0 < of_q) or (of_p < 0 > of_q):
+                continue
+            if of_a and of_b and of_p and of_q:
+                return None
+            if of_a == of_b == 0:
+                first, last = max(min(a, b), min(p, q)), min(max(a, b), max(p, q))
+                if first < last and (a < b) == (p < q) and not has_path:
                     return None
-                if of_a == of_b == 0:
-                    first, last = max(min(a, b), min(p, q)), min(max(a, b), max(p, q))
-                    if first < last and (a < b) == (p < q) and not self._has_path:
-                        return None
-                    common = {first, last} if first <= last else set()
-                    along.append((first, last, p, q, a, b))
-                else:
-                    common = {a if of_a == 0 else b if of_b == 0 else p if of_p == 0 else q}
-                for z in common:
-                    mine, others_there = cones[z]
-                    if z != p:
-                        rx, ry = self._shape.after(edge)
-                        mine.add(_find_cone(z, p, q, (rx * scale, ry * scale)))
-                    if z != a:
-                        rx, ry = self._part.after(other)
-                        others_there.add(_find_cone(z, a, b, (rx * scale + x, ry * scale + y)))
-        # Where edges run along each other, another ring may touch one of them inside.
-        single = len(self._shape.rings) == len(self._part.rings) == 1
-        for first, last, p, q, a, b in () if single else along:
-            for z, (mine, others_there) in cones.items():
-                if first < z < last and cross(minus(q, p), minus(z, p)) == 0:
-                    mine.add(_find_cone(z, p, q, q))
-                    others_there.add(_find_cone(z, a, b, b))
-        return cones
+                common = {first, last} if first <= last else set()
+                along.append((first, last, p, q, a, b))
+            else:
+                common = {a if of_a == 0 else b if of_b == 0 else p if of_p == 0 else q}
+            for z in common:
+                ours, theirs = cones[z]
+                if z != p:
+                    rx, ry = shape.after(edge)
+                    ours.add(_find_cone(z, p, q, (rx * scale, ry * scale)))
+                if z != a:
+                    rx, ry = part.after(other)
+                    theirs.add(_find_cone(z, a, b, (rx * scale + x, ry * scale + y)))
+    # Where edges run along each other, another ring may touch one of them inside.
+    for first, last, p, q, a, b in along:
+        for z, (ours, theirs) in cones.items():
+            if first < z < last and orientation(p, q, z) == 0:
+                ours.add(_find_cone(z, p, q, q))
+                theirs.add(_find_cone(z, a, b, b))
+    return cones
 
 
-def relate(shape: EdgeIndex, part: EdgeIndex) -> Relation:
-    """Find the relation of two shapes where they are, as `MovedPair.relate` does."""
-    return MovedPair(shape, part).relate(0, 0)
-
-
-def _move(edge: BoxedEdge, x: Rational, y: Rational, scale: int) -> _MovedEdge:
+def _move(
+    edge: BoxedEdge, x: Rational, y: Rational, scale: int
+) -> tuple[Rational, Rational, Rational, Rational, Vertex, Vertex]:
+    """Return the box and the ends of an edge on the lattice of a position."""
     left, right, low, high, ax, ay, bx, by, _, _ = edge
-    return (
-        left * scale + x,
-        right * scale + x,
-        low * scale + y,
-        high * scale + y,
-        (ax * scale + x, ay * scale + y),
-        (bx * scale + x, by * scale + y),
-        edge,
-    )
-
-
-def _cross(edge: Edge, other: Edge) -> bool:
-    """Decide whether two edges cross, each at a point inside the other one."""
-    (p, q), (a, b) = edge, other
-    return (turn(p, q, a) > 0 > turn(p, q, b) or turn(p, q, a) < 0 < turn(p, q, b)) and (
-        turn(a, b, p) > 0 > turn(a, b, q) or turn(a, b, p) < 0 < turn(a, b, q)
-    )
+    box = left * scale + x, right * scale + x, low * scale + y, high * scale + y
+    return *box, (ax * scale + x, ay * scale + y), (bx * scale + x, by * scale + y)
 
 
 def _find_cone(z: Vertex, p: Vertex, q: Vertex, r: Vertex) -> _EdgeCone:
     """Return the rays that leave and arrive at a point of the edge p q, followed by r."""
-    (x, y), (px, py), (rx, ry) = z, p, r if z == q else q
-    return (rx - x, ry - y), (px - x, py - y)
+    return minus(r if z == q else q, z), minus(p, z)
 
 
 def _cones_meet(ours: Iterable[_EdgeCone], others: Iterable[_EdgeCone]) -> bool:
@@ -195,9 +149,9 @@ def _cones_meet(ours: Iterable[_EdgeCone], others: Iterable[_EdgeCone]) -> bool:
 
 def _is_in_cone(ray: Vertex, cone: _EdgeCone) -> bool:
     """Decide whether a ray is strictly inside a cone."""
-    (x, y), ((ux, uy), (vx, vy)) = ray, cone
-    after, before = ux * y > uy * x, x * vy > y * vx
-    return (after and before) if ux * vy >= uy * vx else (after or before)
+    leaving, arriving = cone
+    after, before = cross(leaving, ray) > 0, cross(ray, arriving) > 0
+    return (after and before) if cross(leaving, arriving) >= 0 else (after or before)
 
 
 def find_outside(ring: Sequence[Vertex], room: Bounds) -> Rings:
@@ -215,7 +169,7 @@ def find_outside(ring: Sequence[Vertex], room: Bounds) -> Rings:
 def contains(outer: Rings, inner: Rings) -> bool:
     """Decide whether a shape contains another one, boundaries included.
 
-    Cost: that of `MovedPair.relate` for each ring of the outer shape.
+    Cost: that of `relate` for each ring of the outer shape.
     """
     shape = EdgeIndex(inner)
     others = [find_outside(outer[0], shape.box), *([hole[::-1]] for hole in outer[1:])]

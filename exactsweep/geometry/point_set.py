@@ -240,8 +240,8 @@ class PointSet:
             >>> ("1/2", "1/6") in third, third.contains(("1/2", "1/6"), strictly=True)
             (True, False)
         """
-        x, y = place = read_point(point, "point")
-        if is_inside((2 * x, 2 * y), self.rings):
+        place = read_point(point, "point")
+        if is_inside(place, self.rings):
             return True
         return not strictly and any(is_on(place, ring) for ring in self.rings)
 

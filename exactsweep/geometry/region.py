@@ -6,11 +6,12 @@ from bisect import bisect_right
 from collections import defaultdict
 from collections.abc import Iterable, Sequence
 from fractions import Fraction
-from itertools import accumulate, chain, permutations
+from itertools import accumulate
 
 from exactsweep.geometry.canonical import PolygonError
-from exactsweep.geometry.edges import EdgeIndex, Places, find_points_between, is_inside, touch
+from exactsweep.geometry.edges import EdgeIndex, touch
 from exactsweep.geometry.near import find_near
+from exactsweep.geometry.overlap import Relation, find_outside, relate
 from exactsweep.geometry.point_set import AffineMap, PointSet
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.geometry.reading import lcm_within, read_interface, refuse_number
@@ -285,7 +286,6 @@ def _check(exterior: Polygon, holes: Sequence[Polygon]) -> None:
     polygons = [exterior, *holes]
     names = ["the exterior", *(f"hole {k}" for k in range(len(holes)))]
     scale, rings = common_lattice(polygons)
-    places = [Places(set) for _ in rings]
     touching: defaultdict[Vertex, set[int]] = defaultdict(set)
     edges = EdgeIndex(rings).edges
     for later, earlier in sorted((n, m) for m, n in find_near([edge[:4] for edge in edges])):
@@ -301,18 +301,18 @@ def _check(exterior: Polygon, holes: Sequence[Polygon]) -> None:
             raise PolygonError(f"{first}, and {second} {what}")
         for point in shared:
             touching[point] |= {k, j}
-            places[k][0, i].add(point)
-            places[j][0, h].add(point)
-    for k in range(1, len(rings)):
-        if not all(is_inside(p, rings[:1]) for p in find_points_between({0: rings[k]}, places[k])):
+    shapes = [EdgeIndex([ring]) for ring in rings]
+    outside = EdgeIndex(find_outside(rings[0], EdgeIndex(rings).box))
+    for k, shape in enumerate(shapes[1:], 1):
+        if relate(outside, shape) is Relation.OVERLAP:
             raise PolygonError(f"{names[k]} is not inside the exterior")
-    boxes = [EdgeIndex([ring]).box for ring in rings[1:]]
-    for k, j in chain.from_iterable(map(permutations, find_near(boxes))):
-        (left, right, low, high), (west, east, south, north) = boxes[k], boxes[j]
-        if west <= left and right <= east and south <= low and high <= north:
-            points = find_points_between({0: rings[k + 1]}, places[k + 1])
-            if any(is_inside(point, [rings[j + 1]]) for point in points):
-                raise PolygonError(f"{names[k + 1]} is inside {names[j + 1]}")
+    for pair in find_near([shape.box for shape in shapes[1:]]):
+        inner, outer = sorted((k + 1 for k in pair), key=lambda k: polygons[k].area)
+        one, other = shapes[inner], shapes[outer]
+        # A hole that leaves another one through a point may touch it and disconnects the interior.
+        is_nested = EdgeIndex([*one.rings, *other.rings]).box == other.box
+        if is_nested and relate(one, other) is Relation.OVERLAP:
+            raise PolygonError(f"{names[inner]} is inside {names[outer]}")
     _refuse_parted(len(rings), touching, names, scale)
 
 

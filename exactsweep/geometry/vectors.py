@@ -23,7 +23,7 @@ def cross(u: Vertex, v: Vertex) -> Rational:
     return u[0] * v[1] - u[1] * v[0]
 
 
-def turn(p: Vertex, q: Vertex, r: Vertex) -> Rational:
+def orientation(p: Vertex, q: Vertex, r: Vertex) -> Rational:
     """Return twice the area of a triangle, positive if r is left of the line from p to q."""
     return (q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0])
 
@@ -63,7 +63,7 @@ def find_hull(points: Iterable[P]) -> list[P]:
     for run in ordered, ordered[::-1]:
         half: list[P] = []
         for point in run:
-            while len(half) > 1 and turn(half[-2], half[-1], point) <= 0:
+            while len(half) > 1 and orientation(half[-2], half[-1], point) <= 0:
                 half.pop()
             half.append(point)
         found += half[:-1]

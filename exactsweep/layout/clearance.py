@@ -12,7 +12,7 @@ from typing import NamedTuple
 
 from exactsweep.geometry.distance import SquaredDistance
 from exactsweep.geometry.overlap import Relation
-from exactsweep.geometry.vectors import turn
+from exactsweep.geometry.vectors import orientation
 from exactsweep.layout.pieces import bound_piece, clip, find_common_point
 from exactsweep.layout.rounded import HullDistance, bound_root, measure_hulls, sign_square
 from exactsweep.layout.solid import OutsideForm, Solid, meet
@@ -252,11 +252,11 @@ def _find_meeting(one: Sequence[Vertex], other: Sequence[Vertex]) -> Vertex:
         one, other = other, one
     if len(other) == 2:
         (p, q), (a, b) = one, other
-        before, after = turn(a, b, p), turn(a, b, q)
+        before, after = orientation(a, b, p), orientation(a, b, q)
         return _go(p, q, Fraction(before) / (before - after))
     common: list[Vertex] = [*one]
     for a, b in zip(other, (*other[1:], other[0]), strict=True):
-        common = [*clip(common, [turn(a, b, p) for p in common])]
+        common = [*clip(common, [orientation(a, b, p) for p in common])]
     return _find_middle(common)
 
 

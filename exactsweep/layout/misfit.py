@@ -14,7 +14,7 @@ from itertools import pairwise
 
 from exactsweep.geometry.canonical import find_doubled_area
 from exactsweep.geometry.near import find_near
-from exactsweep.geometry.vectors import is_on_segment, turn
+from exactsweep.geometry.vectors import is_on_segment, orientation
 from exactsweep.layout.layout import LayoutPart
 from exactsweep.numbers.number import Point
 
@@ -64,7 +64,12 @@ def _list_inner(edges: Sequence[_PartEdge]) -> Iterator[Point]:
 def _meet(one: _PartEdge, other: _PartEdge) -> list[Point]:
     """Return the point in which two edges cross, or the ends of each that are on the other."""
     (a, b), (p, q) = one, other
-    of_p, of_q, of_a, of_b = turn(a, b, p), turn(a, b, q), turn(p, q, a), turn(p, q, b)
+    of_p, of_q, of_a, of_b = (
+        orientation(a, b, p),
+        orientation(a, b, q),
+        orientation(p, q, a),
+        orientation(p, q, b),
+    )
     if of_p * of_q < 0 and of_a * of_b < 0:
         share = Fraction(of_p) / (of_p - of_q)
         return [Point(p.x + share * (q.x - p.x), p.y + share * (q.y - p.y))]
@@ -73,5 +78,5 @@ def _meet(one: _PartEdge, other: _PartEdge) -> list[Point]:
 
 
 def _wind(edges: Sequence[_PartEdge], z: Point) -> int:
-    up = sum(a.y <= z.y < b.y and turn(a, b, z) > 0 for a, b in edges)
-    return up - sum(b.y <= z.y < a.y and turn(a, b, z) < 0 for a, b in edges)
+    up = sum(a.y <= z.y < b.y and orientation(a, b, z) > 0 for a, b in edges)
+    return up - sum(b.y <= z.y < a.y and orientation(a, b, z) < 0 for a, b in edges)

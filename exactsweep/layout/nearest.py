@@ -11,7 +11,7 @@ from math import isqrt
 
 from exactsweep.geometry.distance import SquaredDistance, find_nearest_ends, measure_ends
 from exactsweep.geometry.edges import BoxedEdge, touch
-from exactsweep.geometry.vectors import minus, turn
+from exactsweep.geometry.vectors import minus, orientation
 from exactsweep.layout.solid import LatticeForm, Solid
 from exactsweep.numbers.number import Edge, Point, Rational
 
@@ -79,7 +79,7 @@ def _move(edge: BoxedEdge, x: int, y: int) -> Edge:
 
 def _is_far(line: Edge, edge: Edge, n: Rational, d: Rational) -> bool:
     """Decide whether an edge is at least sqrt(n / d) from the line of another one."""
-    of_p, of_q = (turn(*line, end) for end in edge)
+    of_p, of_q = (orientation(*line, end) for end in edge)
     least = min(of_p, of_q) if of_p > 0 else -max(of_p, of_q)
     dx, dy = minus(*line)
     return least > 0 and least * least * d >= n * (dx * dx + dy * dy)

@@ -8,7 +8,7 @@ from itertools import pairwise
 
 from exactsweep.geometry.canonical import find_doubled_area
 from exactsweep.geometry.convex import IntRing
-from exactsweep.geometry.vectors import turn
+from exactsweep.geometry.vectors import orientation
 from exactsweep.numbers.number import Point, Rational, Vertex
 
 
@@ -30,7 +30,7 @@ def find_common_point(one: Sequence[Vertex], other: Sequence[Vertex]) -> Point |
     if not (one and other):
         return None
     for a, b in pairwise((*other, other[0])):
-        sides = [turn(a, b, p) for p in common]
+        sides = [orientation(a, b, p) for p in common]
         common = [*clip(common, sides)]
         if not common:
             return None

@@ -28,7 +28,7 @@ from typing import NamedTuple, Self
 
 from exactsweep.geometry.convex import ConvexRing, IntRing, IntVertex, cut_to_convex
 from exactsweep.geometry.edges import EdgeIndex
-from exactsweep.geometry.overlap import MovedPair, Relation
+from exactsweep.geometry.overlap import Relation, relate
 from exactsweep.geometry.region import Region
 from exactsweep.geometry.vectors import find_hull
 from exactsweep.layout.rounded import BodyShape, RoundedPiece
@@ -259,8 +259,8 @@ def share_scale(a: Solid, b: Solid) -> tuple[Solid, Solid]:
 def meet(a: Solid, b: Solid) -> Relation:
     """Decide whether two polygonal solids of one lattice overlap, touch or are apart.
 
-    Cost: that of `MovedPair.relate`.
+    Cost: that of `geometry.overlap.relate`.
     """
     assert isinstance(a.form, LatticeForm)
     assert isinstance(b.form, LatticeForm)
-    return MovedPair(a.form, b.form).relate(b.x - a.x, b.y - a.y)
+    return relate(a.form, b.form, b.x - a.x, b.y - a.y)

@@ -13,7 +13,6 @@ from functools import cached_property, lru_cache
 from math import lcm
 from typing import ClassVar
 
-from exactsweep.geometry.canonical import find_least
 from exactsweep.geometry.direction import X_AXIS, Vector
 from exactsweep.geometry.frame import Frame, Kind
 from exactsweep.geometry.polygon import Polygon
@@ -165,7 +164,7 @@ class MonotoneSolution:
 
     def _loop(self, boundary: Callable[[LowerMM], Chain]) -> list[Point]:
         points = self.frame.leave(self._join(boundary))
-        first = 0 if self._direction == X_AXIS else find_least(points)
+        first = 0 if self._direction == X_AXIS else points.index(min(points))
         return points[first:] + points[:first]
 
     @cached_property

@@ -26,7 +26,7 @@ from typing import NamedTuple
 
 from exactsweep.geometry.canonical import find_doubled_area
 from exactsweep.geometry.edges import EdgeIndex, Rings
-from exactsweep.geometry.overlap import MovedPair, Relation, find_outside, relate
+from exactsweep.geometry.overlap import Relation, find_outside, relate
 from exactsweep.numbers.number import Fit, Point, Rational, Vertex
 from exactsweep.procedures.chain import inverse
 from exactsweep.procedures.cover import leave_out_covered
@@ -170,11 +170,11 @@ def _prepare(
     """Return the pieces that may bound free positions, and the test of a position."""
     segments = leave_out_covered(segments, obstacles, moving)
     parts = [EdgeIndex(reflect(rings)) for rings in moving]
-    pairs = [MovedPair(EdgeIndex(rings), part) for rings in obstacles for part in parts]
+    pairs = [(EdgeIndex(rings), part) for rings in obstacles for part in parts]
 
     def overlaps(position: HomogeneousPoint) -> bool:
         for k, pair in enumerate(pairs):
-            if pair.relate(*position) is Relation.OVERLAP:
+            if relate(*pair, *position) is Relation.OVERLAP:
                 # The pair that overlapped last is likely to do so again.
                 pairs.insert(0, pairs.pop(k))
                 return True

@@ -17,7 +17,6 @@ from functools import cache
 from itertools import chain, groupby
 from typing import NamedTuple
 
-from exactsweep.geometry.canonical import find_least
 from exactsweep.geometry.vectors import angle_key
 from exactsweep.numbers.number import Fit, Point, Vertex, divide_exactly
 from exactsweep.procedures.crossings import HomogeneousPoint, OneSidedPiece, Pieces, TwoSidedPiece
@@ -155,7 +154,7 @@ def _make_canonical(ring: PieceRing, scale: int) -> tuple[list[Point], bool]:
         if before[2:] != piece[2:]
     ]
     points = [_divide(piece[0], scale) for piece in corners]
-    k = find_least(points)
+    k = points.index(min(points))
     points = points[k:] + points[:k]
     # The least vertex is convex.
     (_, _, bx, by), (_, _, dx, dy) = corners[k - 1], corners[k]

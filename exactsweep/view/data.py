@@ -19,7 +19,7 @@ from exactsweep.draw.sweeps import Moving, find_anchor, move_to_anchor, name_anc
 from exactsweep.evidence.contact import Contact
 from exactsweep.evidence.sweep import SweepAnswer
 from exactsweep.geometry.region import AnyPolygon
-from exactsweep.geometry.vectors import turn
+from exactsweep.geometry.vectors import orientation
 from exactsweep.numbers.digits import format_fraction
 from exactsweep.numbers.number import Fit, Point
 from exactsweep.text.results import list_numbers
@@ -274,7 +274,7 @@ def _cut(pieces: list[ContactInterval], inside: Sequence[Point]) -> list[Contact
     for piece in pieces:
         low, high = sorted((piece.start, piece.end))
         near = inside[bisect_right(inside, low) : bisect_left(inside, high)]
-        cuts = [p for p in near if not turn(low, high, p)]
+        cuts = [p for p in near if not orientation(low, high, p)]
         if low != piece.start:
             cuts.reverse()
         for end in [*cuts, piece.end]:

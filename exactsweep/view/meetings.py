@@ -15,7 +15,7 @@ from math import inf
 from exactsweep.draw.sweeps import Moving
 from exactsweep.geometry.outline import Outline
 from exactsweep.geometry.region import AnyPolygon, share_lattice, to_region
-from exactsweep.geometry.vectors import cross, minus, turn
+from exactsweep.geometry.vectors import cross, minus, orientation
 from exactsweep.numbers.number import Point
 
 # The numbers of vertex pairs, and of tests of a pair with an edge, that take about a second.
@@ -64,7 +64,7 @@ class Meetings:
             low, high = sorted((p, q))
             start = bisect_right(self.translations, low)
             for x, y in self.translations[start : bisect_left(self.translations, high)]:
-                if not turn(low, high, (x, y)):
+                if not orientation(low, high, (x, y)):
                     found.add(Point(Fraction(x, scale) + rx, Fraction(y, scale) + ry))
         return sorted(found)
 

@@ -18,8 +18,8 @@ from exactsweep.formats import (
     parse_regions,
     to_shapely,
 )
-from exactsweep.geometry.overlap import MovedPair, Relation
-from exactsweep.numbers.number import Rational
+from exactsweep.geometry.edges import EdgeIndex
+from exactsweep.geometry.overlap import Relation, relate
 
 OUTER, INNER = [(0, 0), (4, 0), (4, 4), (0, 4)], [(1, 1), (2, 1), (2, 2), (1, 2)]
 PLATE = Region(OUTER, [INNER])
@@ -40,14 +40,13 @@ def test_nested_rings_are_compared_once_each(
 ) -> None:
     """Comparisons of all pairs would take quadratic time."""
     asked = 0
-    relate = MovedPair.relate
 
-    def count(self: MovedPair, x: Rational, y: Rational, scale: int = 1) -> Relation:
+    def count(shape: EdgeIndex, part: EdgeIndex) -> Relation:
         nonlocal asked
         asked += 1
-        return relate(self, x, y, scale)
+        return relate(shape, part)
 
-    monkeypatch.setattr(MovedPair, "relate", count)
+    monkeypatch.setattr("exactsweep.geometry.overlap.relate", count)
     if form == "path":
         drawn = "".join(f"M{a} {a}H{b}V{b}H{a}z" for a, b in rings)
         text = f"<svg><path fill-rule='evenodd' d='{drawn}'/></svg>"

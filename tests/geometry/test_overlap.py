@@ -15,25 +15,26 @@ from polyominoes import Matrix
 from exactsweep import Point, Region
 from exactsweep.check import classify
 from exactsweep.corpus.generator.cells import Cell, grow
-from exactsweep.geometry import edges, overlap
 from exactsweep.geometry.edges import EdgeIndex, Rings, is_inside, touch
-from exactsweep.geometry.overlap import MovedPair, Relation, contains, find_outside
+from exactsweep.geometry.overlap import Relation, contains, find_outside, relate
 from exactsweep.numbers.number import Rational, Vertex
+
+Pair = tuple[EdgeIndex, EdgeIndex]
 
 ORIGIN = Point(Fraction(0), Fraction(0))
 
 
-def overlaps(pair: MovedPair, t: Point) -> bool:
+def overlaps(pair: Pair, t: Point) -> bool:
     return relation(pair, t) is Relation.OVERLAP
 
 
-def relation(pair: MovedPair, t: Point) -> Relation:
+def relation(pair: Pair, t: Point) -> Relation:
     scale = lcm(t.x.denominator, t.y.denominator)
-    return pair.relate(int(t.x * scale), int(t.y * scale), scale)
+    return relate(*pair, int(t.x * scale), int(t.y * scale), scale)
 
 
-def pair_of(stationary: Rings, orbiting: Rings) -> MovedPair:
-    return MovedPair(EdgeIndex(stationary), EdgeIndex(orbiting))
+def pair_of(stationary: Rings, orbiting: Rings) -> Pair:
+    return EdgeIndex(stationary), EdgeIndex(orbiting)
 
 
 AROUND = [*product(range(-1, 4), repeat=2)]
@@ -53,14 +54,9 @@ def test_tips_of_holes_touch_the_middles_of_all_edges() -> None:
     assert overlaps(pair_of(plate, SQUARE), ORIGIN)
 
 
-@pytest.mark.parametrize("few", [0, 64])
-def test_interiors_meet_where_the_definition_says(
-    few: int, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_interiors_meet_where_the_definition_says() -> None:
     """At vertices on vertices and on the middles of edges, next to these, and one in the other."""
-    monkeypatch.setattr(overlap, "MANY_EDGES", few)
-    monkeypatch.setattr(edges, "MANY_EDGES", few)
-    rng = Random(5 + few)
+    rng = Random(5)
     found: Counter[bool] = Counter()
     for number in range(100):
         pair = (small_pairs.draw_shapeless if number % 2 else small_pairs.draw)(rng)
@@ -80,15 +76,12 @@ def test_interiors_meet_where_the_definition_says(
     assert min(found.values()) > 200
 
 
-@pytest.mark.parametrize("few", [0, 64])
 @pytest.mark.parametrize("matrix", [(1, 0, 0, 1), (0, -1, 1, 0), (2, 1, 1, 2), (1, -3, 0, 2)])
 def test_interiors_of_polyominoes_meet_where_squares_do(
-    matrix: Matrix, few: int, monkeypatch: pytest.MonkeyPatch
+    matrix: Matrix,
 ) -> None:
-    """On the grid, halfway between its places, and off them; with and without columns."""
-    monkeypatch.setattr(overlap, "MANY_EDGES", few)
-    monkeypatch.setattr(edges, "MANY_EDGES", few)
-    rng = Random(matrix[1] + few)
+    """On the grid, halfway between its places, and off them."""
+    rng = Random(matrix[1])
     found: Counter[tuple[bool, bool]] = Counter()
     relations: Counter[Relation] = Counter()
     for _ in range(40):
@@ -135,12 +128,13 @@ def test_a_point_is_inside_where_all_squares_around_it_are(
     """At vertices, in edges, above and below them, and in between, all in units of one half."""
     rng = Random(matrix[1])
     a, b, c, d = (unit * part for part in matrix)
+    half = Fraction(1, 2)
     for _ in range(6):
         cells = grow(rng.randrange(10**6) for _ in range(rng.randrange(24)))
         rings = loops_of(cells, (a, b, c, d), rng)
         for x, y in {(2 * cx + i, 2 * cy + j) for cx, cy in cells for i, j in AROUND}:
             around = product({x // 2, (x - 1) // 2}, {y // 2, (y - 1) // 2})
-            found = is_inside((a * x + b * y, c * x + d * y), rings)
+            found = is_inside(((a * x + b * y) * half, (c * x + d * y) * half), rings)
             assert found == cells.issuperset(around), (cells, x, y)
 
 

@@ -8,7 +8,7 @@ from unittest.mock import patch
 from polyominoes import Cells, region
 
 from exactsweep.geometry.edges import EdgeIndex, Rings
-from exactsweep.geometry.overlap import MovedPair, Relation
+from exactsweep.geometry.overlap import Relation, relate
 from exactsweep.numbers.number import Point, Vertex
 from exactsweep.procedures import cover, neighbours, positions
 from exactsweep.procedures.positions import FreeRegions, find_inner_fit, find_no_fit
@@ -62,8 +62,8 @@ class Overlaps:
     """A test of two shapes at a position of the second one."""
 
     def __init__(self, stationary: Rings, orbiting: Rings) -> None:
-        self._pair = MovedPair(EdgeIndex(stationary), EdgeIndex(orbiting))
+        self._pair = EdgeIndex(stationary), EdgeIndex(orbiting)
 
     def at(self, t: Point) -> bool:
         (x, b), (y, d) = Fraction(t.x).as_integer_ratio(), Fraction(t.y).as_integer_ratio()
-        return self._pair.relate(x * d, y * b, b * d) is Relation.OVERLAP
+        return relate(*self._pair, x * d, y * b, b * d) is Relation.OVERLAP

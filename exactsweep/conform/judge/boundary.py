@@ -20,7 +20,7 @@ from operator import itemgetter
 from typing import NamedTuple
 
 from exactsweep.geometry.canonical import find_doubled_area
-from exactsweep.geometry.vectors import angle_key, is_on_segment, minus, turn
+from exactsweep.geometry.vectors import angle_key, is_on_segment, minus, orientation
 from exactsweep.numbers.number import Fit, Loop, Point, PointRings, Vertex
 
 _LineKey = tuple[Fraction | None, Fraction]
@@ -116,7 +116,7 @@ def subtract_fits(segments: Iterable[Fit], fits: Iterable[Fit]) -> tuple[list[Fi
 def are_collinear(points: Sequence[Vertex]) -> bool:
     """Decide whether points are collinear."""
     low, high = min(points), max(points)
-    return not any(turn(low, high, p) for p in points)
+    return not any(orientation(low, high, p) for p in points)
 
 
 def are_bridges(segments: Sequence[Fit], solid: Sequence[Fit]) -> bool:

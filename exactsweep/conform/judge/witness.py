@@ -27,7 +27,7 @@ from exactsweep.conform.judge.verdict import Witness
 from exactsweep.corpus import Case
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.geometry.region import AnyPolygon, Region
-from exactsweep.geometry.vectors import turn
+from exactsweep.geometry.vectors import orientation
 from exactsweep.numbers.error import ExactSweepError
 from exactsweep.numbers.number import ORIGIN, Fit, Point, PointRings
 from exactsweep.words import write_pair
@@ -233,7 +233,12 @@ def _on_boundary(positions: Polygon, onto: AnyPolygon) -> Iterator[Point]:
 
 def crossing_of(a: Point, b: Point, c: Point, d: Point) -> Point | None:
     """Return the common point of two closed segments that are not parallel, if any."""
-    of_a, of_b, of_c, of_d = turn(c, d, a), turn(c, d, b), turn(a, b, c), turn(a, b, d)
+    of_a, of_b, of_c, of_d = (
+        orientation(c, d, a),
+        orientation(c, d, b),
+        orientation(a, b, c),
+        orientation(a, b, d),
+    )
     if of_a == of_b or of_a * of_b > 0 or of_c * of_d > 0:
         return None
     s = Fraction(of_a) / (of_a - of_b)

@@ -8,7 +8,7 @@ from itertools import accumulate, combinations
 from typing import Any, NamedTuple, TypeVar
 
 from exactsweep.corpus.generator.prng import Prng
-from exactsweep.geometry.vectors import find_hull, turn
+from exactsweep.geometry.vectors import find_hull, orientation
 
 IntegerPoint = tuple[int, int]
 Ring = list[IntegerPoint]
@@ -128,6 +128,9 @@ def _find_crossing(ring: Ring) -> IntegerPoint | None:
     """Two edges that cross, by their first vertices, if there are any."""
     for i, j in combinations(range(len(ring)), 2):
         a, b, p, q = ring[i], ring[i + 1], ring[j], ring[(j + 1) % len(ring)]
-        if turn(a, b, p) * turn(a, b, q) < 0 and turn(p, q, a) * turn(p, q, b) < 0:
+        if (
+            orientation(a, b, p) * orientation(a, b, q) < 0
+            and orientation(p, q, a) * orientation(p, q, b) < 0
+        ):
             return i, j
     return None
