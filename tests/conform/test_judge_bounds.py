@@ -19,11 +19,11 @@ from judged import CONVEX, SLOT, SQUARE
 from strategies import simple_rings
 from tiers import examples
 
-from exactsweep import Point, Polygon
+from exactsweep import Polygon
 from exactsweep.check import classify
 from exactsweep.conform import Verdict
 from exactsweep.conform.judge import compare as comparing
-from exactsweep.conform.judge import distance, region
+from exactsweep.conform.judge import region
 from exactsweep.conform.judge.compare import compare, find_fault
 from exactsweep.conform.judge.region import find_differences
 from exactsweep.conform.judge.rounding import _BEYOND, _to_double, _unit_in_last_place
@@ -114,26 +114,6 @@ def test_rings_that_overlap_are_those_of_the_definition(rings: list[Any]) -> Non
     }
     said = {f"$: rings {j} and {k} overlap" for j, k in pairs}
     assert (found in said) if said else found is None
-
-
-def test_the_distance_of_large_loops_takes_bounded_work(monkeypatch: pytest.MonkeyPatch) -> None:
-    looked_at = 0
-
-    find_nearest = distance._find_nearest
-
-    def look(place: distance.Place, edges: list[distance.LoopEdge]) -> Any:
-        nonlocal looked_at
-        looked_at += len(edges)
-        return find_nearest(place, edges)
-
-    monkeypatch.setattr(distance, "_find_nearest", look)
-    monkeypatch.setattr(distance, "_MOST_LOOKED_AT", 150_000)
-    rim = [Point(Fraction(k), Fraction(k * k % 7, 50)) for k in range(1000)]
-    noisy = [*rim, Point(Fraction(1000), Fraction(900)), Point(Fraction(-1), Fraction(900))]
-    box = [Point(Fraction(x), Fraction(y)) for x, y in [(0, 0), (1000, 0), (1000, 900), (0, 900)]]
-    low, high = distance.bound_distance([box], [noisy])
-    assert low <= high
-    assert looked_at < 200_000
 
 
 def test_of_very_many_edges_neither_distance_nor_area_is_measured(

@@ -16,7 +16,7 @@ from exactsweep.conform.judge.boundary import (
     trace_rings,
 )
 from exactsweep.conform.judge.diagnosis import diagnose
-from exactsweep.conform.judge.distance import bound_distance
+from exactsweep.conform.judge.distance import measure_distance
 from exactsweep.conform.judge.fits import judge_fits
 from exactsweep.conform.judge.region import (
     RegionError,
@@ -108,7 +108,7 @@ def compare(
         >>> answer = [[-1, -1], [2, -1], [2, 0], [1, 2], [0, 2], [-1, 0.25]]
         >>> part = compare(case, {"trajectory": answer}).parts[0]
         >>> part.verdict.value, str(part.area), part.distance_squared
-        ('conservative', '1/8', (Fraction(1, 80), Fraction(1, 80)))
+        ('conservative', '1/8', Fraction(1, 80))
         >>> part.conservative.says
         'at (-1/2,13/12) G does not touch D; it is inside the answered trajectory'
     """
@@ -189,7 +189,7 @@ def judge_loop(case: Case, name: str, loop: AnsweredLoop, rounding: Fraction) ->
         WitnessError: the expected answer of the case is refuted by the definition.
 
     Cost: linear for an exact answer, O(n log n) for an equivalent one; otherwise that of
-        `find_differences`, `bound_distance`, `covers` and `diagnose`, and of a witness.
+        `find_differences`, `measure_distance`, `covers` and `diagnose`, and of a witness.
     """
     exact = list_exact_rings(case, name)
     if _have_same_vertices(loop.rings, exact):
@@ -283,7 +283,7 @@ def _measure(
         name,
         verdict,
         reason,
-        bound_distance(exact, rings) if is_measured and exact and rings else None,
+        measure_distance(exact, rings) if is_measured and exact and rings else None,
         add_areas(overlapping) if is_measured else None,
         add_areas(free) if is_measured else None,
         find_witness(case, name, rings, overlapping) if overlapping else None,
@@ -335,7 +335,7 @@ def _judge_difference(
 
 def _same(name: str, verdict: Verdict, reason: str = "", kind: str = "") -> PartComparison:
     zero = Fraction(0)
-    return PartComparison(name, verdict, reason, (zero, zero), zero, zero, kind=kind)
+    return PartComparison(name, verdict, reason, zero, zero, zero, kind=kind)
 
 
 def _have_same_vertices(rings: Sequence[Loop], exact: Sequence[Loop]) -> bool:

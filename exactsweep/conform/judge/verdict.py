@@ -105,8 +105,7 @@ class PartComparison:
         name: "trajectory", "inner", "outer" or "exact_fits".
         verdict: of this part alone.
         reason: one line.
-        distance_squared: bounds (low, high) on the squared Hausdorff distance of the two loops;
-            None if it is not defined.
+        distance_squared: by `measure_distance`; None if the loop is too large or has no vertices.
         permitted: area of E without T: overlap permitted, for the trajectory.
         forbidden: area of T without E: free space lost, for the trajectory.
         unsound: Witness in E without T, or None.
@@ -119,7 +118,7 @@ class PartComparison:
     name: str
     verdict: Verdict
     reason: str = ""
-    distance_squared: tuple[Fraction, Fraction] | None = None
+    distance_squared: Fraction | None = None
     permitted: Fraction | None = None
     forbidden: Fraction | None = None
     unsound: Witness | None = None

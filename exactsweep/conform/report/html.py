@@ -203,8 +203,8 @@ def _scene(case: Case, outcome: Outcome, name: str) -> _Scene:
     layers.append(("exact", list_exact_rings(case, name), name not in fits_of))
     theirs = _rings((outcome.result or {}).get(name))
     layers.append(("theirs", theirs, name not in fits_of))
-    squares = part and part["distance_squared"]
-    return _Scene(tuple(layers), seen, take_root(read_any_length(squares[1])) if squares else None)
+    square = part and part["distance_squared"]
+    return _Scene(tuple(layers), seen, take_root(read_any_length(square)) if square else None)
 
 
 def _rings(value: object) -> list[Sequence[Point]]:

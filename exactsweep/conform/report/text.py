@@ -20,7 +20,7 @@ _MOST_LISTED = 20
 def describe(comparison: Comparison) -> str:
     """Write a comparison: the verdict, and for each part its verdict, errors and witnesses.
 
-    Distances and areas are rounded to six digits; distances are rounded up.
+    Distances and areas are rounded to six digits.
 
     Example:
         >>> from exactsweep.conform.judge.compare import compare
@@ -30,7 +30,7 @@ def describe(comparison: Comparison) -> str:
         >>> print(describe(compare(case, {"trajectory": [[-1, -1], [1, -1], [0, 1]]})), end="")
         a: unsound
         trajectory: unsound, part of the exact trajectory is missing
-          off by at most 0.894428, area 2
+          vertices off by up to 0.894427, area 2
           at (-1/2,1/2) G overlaps D; it is outside the answered trajectory
           translation (-1/2,1/2): OVERLAP, point (1/4,3/4)
         exact fits: exact
@@ -47,9 +47,9 @@ def _part(part: PartComparison) -> list[str]:
     name = LOOP_NAMES.get(part.name, "exact fits")
     lines = [f"{name}: {part.verdict}" + (f", {part.reason}" if part.reason else "")]
     if part.distance_squared is not None and part.area:
-        distance = approximate(take_root(part.distance_squared[1]), up=True)
+        distance = approximate(take_root(part.distance_squared))
         granted = f", granted {approximate(part.granted)}" if part.granted else ""
-        lines.append(f"  off by at most {distance}, area {approximate(part.area)}{granted}")
+        lines.append(f"  vertices off by up to {distance}, area {approximate(part.area)}{granted}")
     for witness in list_witnesses(part.to_json()):
         lines += (f"  {line}" for line in tell_witness(witness))
     return lines

@@ -19,7 +19,7 @@ from exactsweep.numbers.limits import get_max_bytes
 from exactsweep.processes import lock
 
 FORMAT = "exactsweep conform"
-VERSION = 1
+VERSION = 2
 _WORDS = {"hello": "implementation", "seconds": "timeout"}
 
 

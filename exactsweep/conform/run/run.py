@@ -147,7 +147,7 @@ class Run:
         summary = self.summary
         return {
             "format": "exactsweep conform report",
-            "version": 1,
+            "version": 2,
             "exactsweep": __version__,
             **self.hello.to_json(),
             "command": list(self.command),

@@ -22,7 +22,7 @@ class Worst(NamedTuple):
     """The greatest errors of one kind of loop.
 
     Attributes:
-        distance_squared: the greatest lower bound on a squared Hausdorff distance, and its case.
+        distance_squared: the greatest squared distance of a vertex, and its case.
         area: the greatest area of a symmetric difference, and its case.
     """
 
@@ -81,7 +81,7 @@ class Tally:
             if part["granted"] and Verdict(part["verdict"]) is Verdict.WITHIN:
                 self.granted = max(self.granted, (read_any_length(part["granted"]), outcome.id))
             if part["distance_squared"] is not None and part["area"] is not None:
-                distance = read_any_length(part["distance_squared"][0]), outcome.id
+                distance = read_any_length(part["distance_squared"]), outcome.id
                 area = read_any_length(part["area"]), outcome.id
                 old = self.worst.get(part["name"], Worst(distance, area))
                 self.worst[part["name"]] = Worst(max(old[0], distance), max(old[1], area))
