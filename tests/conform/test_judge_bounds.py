@@ -26,7 +26,7 @@ from exactsweep.conform.judge import compare as comparing
 from exactsweep.conform.judge import region
 from exactsweep.conform.judge.compare import compare, find_fault
 from exactsweep.conform.judge.region import find_differences
-from exactsweep.conform.judge.rounding import _BEYOND, _to_double, _unit_in_last_place
+from exactsweep.conform.judge.rounding import BEYOND, _unit_in_last_place, to_double
 from exactsweep.conform.judge.verdict import PartComparison
 from exactsweep.corpus import Case
 from exactsweep.numbers.number import ORIGIN
@@ -184,6 +184,6 @@ def test_doubles_are_as_far_apart_as_they_are(value: str) -> None:
 
 
 def test_numbers_beyond_doubles_are_unchanged() -> None:
-    assert _to_double(_BEYOND) == _BEYOND
-    assert _to_double(-_BEYOND) == -_BEYOND
-    assert _to_double(_BEYOND - 1) == Fraction(sys.float_info.max)
+    assert to_double(BEYOND) == BEYOND
+    assert to_double(-BEYOND) == -BEYOND
+    assert to_double(BEYOND - 1) == Fraction(sys.float_info.max)

@@ -144,13 +144,14 @@ def test_roles_exchanged_are_diagnosed_in_any_shape() -> None:
     )
 
 
-def test_the_old_hello_gets_the_old_questions() -> None:
+def test_a_hello_without_questions_gets_sweeps() -> None:
     said = read_hello(json.dumps(OLD))
     assert said == Hello("old")
-    assert said.to_json() == OLD
+    assert said.to_json() == {**OLD, "questions": ["sweep"], "shapes": "monotone"}
     plate, notch = find_case("holes-room"), find_case("worked-roof")
     line = json.loads(write_case_line(notch, said))
-    assert list(line) == ["id", "class", "directrix", "generatrix", "reference"]
+    assert list(line) == ["id", "class", "directrix", "generatrix", "reference", "ask"]
+    assert line["ask"] == ["trajectory"]
     with pytest.raises(ValueError, match=r"^not asked: the program takes monotone pairs only$"):
         adapt(plate, said)
 

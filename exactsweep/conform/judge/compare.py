@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Iterator, Mapping, Sequence
+from contextlib import suppress
 from dataclasses import replace
 from fractions import Fraction
 from itertools import islice
@@ -62,8 +63,6 @@ MOST_MEASURED = 3000
 """Maximum number of edges, exact and answered, of loops whose area and distance are measured."""
 MOST_PAIRS = 20_000
 """Maximum number of pairs of close rings that are examined for overlap: a few seconds."""
-_MOST_SHOWN = 100
-"""Number of trapezoids that a witness is chosen from."""
 
 JudgedLoop = tuple[PartComparison, Sequence[Fit]]
 """A comparison, and the segments on exact fits that the rings trace in both directions."""
@@ -268,11 +267,15 @@ def _measure(
 ) -> PartComparison:
     exact = list_exact_rings(case, name)
     is_small = sum(map(len, exact)) + sum(map(len, rings)) <= MOST_MEASURED
-    lost: list[Trapezoid] = []
-    extra: list[Trapezoid] = []
+    cells: list[Trapezoid] = []
     is_whole = False
     if is_small or not (fault or is_rounded):
-        lost, extra, is_whole = _find_cells(exact, rings, is_small)
+        with suppress(RegionError):
+            for cell in find_differences(exact, rings):
+                cells.append(cell)  # noqa: PERF402: an error keeps the first ones
+            is_whole = True
+    lost = [cell for cell in cells if cell.first]
+    extra = [cell for cell in cells if not cell.first]
     verdict, reason = _judge_difference(name, fault, lost, extra, is_whole)
     if diagnosis:
         reason = f"{diagnosis[0]}; {reason}"
@@ -292,23 +295,6 @@ def _measure(
         "",
         diagnosis,
     )
-
-
-def _find_cells(
-    exact: Sequence[Loop], rings: Sequence[Loop], is_small: bool
-) -> tuple[list[Trapezoid], list[Trapezoid], bool]:
-    """Return lost and extra trapezoids, and whether these are all: of large loops, only some."""
-    sides: tuple[list[Trapezoid], list[Trapezoid]] = [], []
-    try:
-        for cell in find_differences(exact, rings):
-            found = sides[not cell.first]
-            if is_small or len(found) < _MOST_SHOWN:
-                found.append(cell)
-            if not is_small and all(sides):
-                return *sides, False
-    except RegionError:
-        return *sides, False
-    return *sides, True
 
 
 def _judge_difference(

@@ -7,7 +7,7 @@ from itertools import chain
 from math import lcm
 
 from exactsweep.geometry.distance import measure_to_edge
-from exactsweep.numbers.number import PointRings, divide_exactly
+from exactsweep.numbers.number import PointRings, Rational, divide_exactly
 
 
 def measure_distance(first: PointRings, second: PointRings) -> Fraction:
@@ -30,7 +30,8 @@ def measure_distance(first: PointRings, second: PointRings) -> Fraction:
         [[(int(x * scale), int(y * scale)) for x, y in ring] for ring in rings]
         for rings in (first, second)
     )
-    n, d = 0, 1
+    n: Rational = 0
+    d: Rational = 1
     for rings, target in ((one, other), (other, one)):
         edges = [(ring[k - 1], p) for ring in target for k, p in enumerate(ring)]
         for p in {*chain(*rings)}.difference(*target):

@@ -7,7 +7,7 @@ They may differ as follows:
 - too long: the answered fit continues beyond it;
 - invented: the answered fit is no part of any;
 - given twice, or in pieces: the same positions;
-- rounded: both ends are off by less than the rounding;
+- rounded: the positions are off by less than the rounding;
 - whisker: traced by the loop, and not listed. Orbiting programs, which move G along D from contact
   to contact, enter a slot that fits exactly and leave it on the same path.
 """
@@ -20,7 +20,7 @@ from fractions import Fraction
 from itertools import pairwise
 
 from exactsweep.conform.judge.boundary import are_collinear, subtract_fits
-from exactsweep.conform.judge.closeness import covers, is_near
+from exactsweep.conform.judge.closeness import covers
 from exactsweep.conform.judge.verdict import PartComparison, Verdict
 from exactsweep.conform.judge.witness import (
     INSIDE,
@@ -70,12 +70,14 @@ def judge_fits(
         return PartComparison(name, Verdict.EQUIVALENT, reason, kind=kind)
     missing = [f for f in fits if frozenset(f) not in answered]
     others = [f for f in given if frozenset(f) not in exact]
-    rounded = _take_rounded(missing, others, rounding)
+    rounded = [f for f in missing if rounding and covers(others, [f], rounding)]
+    missing = [f for f in missing if f not in rounded]
+    others = [f for f in others if not (rounded and covers(rounded, [f], rounding))]
     differences = _count_differences(missing, others)
     if twice := len(answered) - len(set(answered)):
         differences["given twice"] = twice
     if rounded:
-        differences["rounded"] = rounded
+        differences["rounded"] = len(rounded)
     far = [fit for fit in others if not (rounding and covers(fits, [fit], rounding))]
     shown = [
         at_position(case, position, inside=name == INSIDE)
@@ -109,25 +111,6 @@ def judge_fits(
         conservative=missed,
         kind=kind,
         granted=rounding if rounded else None,
-    )
-
-
-def _take_rounded(missing: list[Fit], others: list[Fit], rounding: Fraction) -> int:
-    """Remove pairs that are equal except for rounding from both lists; return their number."""
-    taken = 0
-    for fit in list(missing):
-        near = next((f for f in others if rounding and _is_near(fit, f, rounding)), None)
-        if near is not None:
-            missing.remove(fit)
-            others.remove(near)
-            taken += 1
-    return taken
-
-
-def _is_near(one: Fit, other: Fit, rounding: Fraction) -> bool:
-    return any(
-        all(is_near(p, q, rounding) for p, q in zip(one, ends, strict=True))
-        for ends in (other, other[::-1])
     )
 
 

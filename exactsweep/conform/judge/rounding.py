@@ -22,7 +22,7 @@ _DIGITS = range(3, 16)
 _WIDTHS = (32, 64, 16, 8)
 # The least numbers that round to infinity; such numbers stay as they are. Single precision is
 # reached through a double.
-_BEYOND = Fraction(2**1024 - 2**970)
+BEYOND = Fraction(2**1024 - 2**970)
 _BEYOND_SINGLE = Fraction(2**128 - 2**103 - 2**74)
 
 ULPS = 16
@@ -120,12 +120,12 @@ def name_arithmetic(exact: PointRings, theirs: PointRings) -> tuple[str, ...]:
     """
     points = {*chain.from_iterable(exact)}
     answered = {*chain.from_iterable(theirs)}
-    if answered in (points, {Point(_to_double(x), _to_double(y)) for x, y in points}):
+    if answered in (points, {Point(to_double(x), to_double(y)) for x, y in points}):
         return ()
     found = []
     for words, change in _changes():
         image = {Point(change(x), change(y)) for x, y in points}
-        doubles = {Point(_to_double(x), _to_double(y)) for x, y in image}
+        doubles = {Point(to_double(x), to_double(y)) for x, y in image}
         if answered in (image, doubles):
             found.append(words)
     return tuple(found)
@@ -144,11 +144,12 @@ def _changes() -> Iterator[tuple[str, Change]]:
 
 
 def _print(c: Fraction, form: str) -> Fraction:
-    return Fraction(format(float(c), form)) if abs(c) < _BEYOND else c
+    return Fraction(format(float(c), form)) if abs(c) < BEYOND else c
 
 
-def _to_double(c: Fraction) -> Fraction:
-    return Fraction(float(c)) if abs(c) < _BEYOND else c
+def to_double(c: Fraction) -> Fraction:
+    """Return the nearest double; a number beyond the greatest double stays."""
+    return Fraction(float(c)) if abs(c) < BEYOND else c
 
 
 def _to_single(c: Fraction) -> Fraction:

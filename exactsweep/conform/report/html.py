@@ -21,7 +21,7 @@ from exactsweep import __version__
 from exactsweep.canvas import style
 from exactsweep.canvas.svg import write_path
 from exactsweep.canvas.window import Window
-from exactsweep.conform.judge.verdict import Verdict
+from exactsweep.conform.judge.verdict import AnswerError, Verdict, read_loop
 from exactsweep.conform.judge.witness import FITS_OF, SUM, add, list_exact_rings
 from exactsweep.conform.report.text import tell_costs, tell_witness
 from exactsweep.conform.report.unit_test import guess_language, write_unit_test
@@ -31,8 +31,7 @@ from exactsweep.conform.run.protocol import list_reflected_rings
 from exactsweep.conform.run.run import SHOWN, Run
 from exactsweep.conform.run.tally import fails
 from exactsweep.corpus import Case, case_from_json
-from exactsweep.numbers.error import NumberError
-from exactsweep.numbers.number import Point, read_any_length, to_fraction
+from exactsweep.numbers.number import Loop, Point, read_any_length
 from exactsweep.text.report import approximate, take_root
 from exactsweep.text.template import make_environment
 
@@ -116,7 +115,7 @@ def _write_unit_test(run: Run, outcome: Outcome) -> str:
     }
     if name == SUM:
         given = {"a": case.directrix_rings, "b": list_reflected_rings(case)}
-    theirs = _rings((outcome.result or {}).get(name))
+    theirs = _read_rings(outcome, name)
     shapes = {**given, "exact": list_exact_rings(case, name), "theirs": theirs}
     remark = f"{outcome.id}, {name}: {outcome.verdict}"
     language = guess_language(run.command, run.hello.name)
@@ -188,8 +187,8 @@ def _scene(case: Case, outcome: Outcome, name: str) -> _Scene:
     part = outcome.worst
     witness = next(iter(list_witnesses(part)), {}) if part else {}
     generatrix = case.generatrix
-    seen = next(iter(_ring([witness.get("point")])), None)
-    for t in _ring([witness.get("translation")]):
+    seen, t = map(_read_point, (witness.get("point"), witness.get("translation")))
+    if t is not None:
         generatrix = generatrix.translated(t)
         if name not in ("inner", "outer"):
             seen = t if name == SUM else add(case.reference, t)
@@ -201,28 +200,21 @@ def _scene(case: Case, outcome: Outcome, name: str) -> _Scene:
     if name in fits_of:
         layers.append(("faint", list_exact_rings(case, fits_of[name]), True))
     layers.append(("exact", list_exact_rings(case, name), name not in fits_of))
-    theirs = _rings((outcome.result or {}).get(name))
+    theirs = _read_rings(outcome, name)
     layers.append(("theirs", theirs, name not in fits_of))
     square = part and part["distance_squared"]
     return _Scene(tuple(layers), seen, take_root(read_any_length(square)) if square else None)
 
 
-def _rings(value: object) -> list[Sequence[Point]]:
-    """Read one ring or several, without unreadable points."""
-    if not isinstance(value, Sequence) or isinstance(value, str):
-        return []
-    first = value[0] if value else None
-    nested = isinstance(first, list) and bool(first) and isinstance(first[0], list)
-    return [_ring(ring) for ring in (value if nested else [value]) if isinstance(ring, list)]
+def _read_rings(outcome: Outcome, name: str) -> tuple[Loop, ...]:
+    """Read the answered rings of a part; () if they are unreadable."""
+    with suppress(AnswerError):
+        return read_loop((outcome.result or {}).get(name), name).rings
+    return ()
 
 
-def _ring(points: Iterable[object]) -> list[Point]:
-    found = []
-    for pair in points:
-        if isinstance(pair, Sequence) and len(pair) == 2:
-            with suppress(NumberError):
-                found.append(Point(to_fraction(pair[0]), to_fraction(pair[1])))
-    return found
+def _read_point(pair: Iterable[str] | None) -> Point | None:
+    return None if pair is None else Point(*map(read_any_length, pair))
 
 
 def _window(scene: _Scene) -> Window:

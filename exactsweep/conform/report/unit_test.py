@@ -7,6 +7,7 @@ from collections.abc import Iterable, Sequence
 from fractions import Fraction
 from typing import NamedTuple
 
+from exactsweep.conform.judge.rounding import BEYOND, to_double
 from exactsweep.numbers.digits import format_fraction
 from exactsweep.numbers.number import PointRings
 
@@ -86,7 +87,7 @@ def write_unit_test(
     """
     how = _LANGUAGES[language]
     is_double = numbers == "binary64"
-    writers = {"binary64": _to_double, "rational": lambda c: f'"{format_fraction(c)}"'}
+    writers = {"binary64": _write_double, "rational": lambda c: f'"{format_fraction(c)}"'}
     number = writers.get(numbers, format_fraction)
     kind = _TYPES.get(numbers, _INTEGERS).get(language, "")
     lines = [f"{how.comment} {remark}"]
@@ -94,7 +95,7 @@ def write_unit_test(
         points = ([_surround(how.point, map(number, p)) for p in ring] for ring in rings)
         value = _surround(how.brackets, (_surround(how.brackets, ring) for ring in points))
         lines.append(how.line.format(name=name, value=value, type=kind))
-        if is_double and any(_is_rounded(c) for ring in rings for p in ring for c in p):
+        if is_double and any(to_double(c) != c for ring in rings for p in ring for c in p):
             exact = "; ".join(" ".join(map(_write_exactly, ring)) for ring in rings)
             lines.append(f"{how.comment} {name}, exactly: {exact}")
     return "".join(f"{line}\n" for line in lines)
@@ -108,15 +109,5 @@ def _write_exactly(point: Iterable[Fraction]) -> str:
     return f"({','.join(map(format_fraction, point))})"
 
 
-def _to_double(value: Fraction) -> str:
-    try:
-        return repr(float(value))
-    except OverflowError:
-        return format_fraction(value)
-
-
-def _is_rounded(value: Fraction) -> bool:
-    try:
-        return Fraction(float(value)) != value
-    except OverflowError:
-        return True
+def _write_double(value: Fraction) -> str:
+    return repr(float(value)) if abs(value) < BEYOND else format_fraction(value)

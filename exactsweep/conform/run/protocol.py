@@ -79,21 +79,15 @@ class Hello:
         return (*self.loops, *fits)
 
     def to_json(self) -> dict[str, Any]:
-        """Return the line as plain data, in the old form if that suffices."""
-        members = {
+        """Return the line as plain data."""
+        return {
             "hello": self.name,
             "loops": list(self.loops),
             "numbers": self.numbers,
             "reference": self.reference,
+            "questions": list(self.questions),
+            "shapes": self.shapes,
         }
-        if self.is_old:
-            return members
-        return {**members, "questions": list(self.questions), "shapes": self.shapes}
-
-    @property
-    def is_old(self) -> bool:
-        """Whether a hello without "questions" and "shapes" would be the same."""
-        return (self.questions, self.shapes) == (("sweep",), "monotone")
 
 
 def make_hello(said: Mapping[str, object]) -> Hello:
@@ -179,10 +173,7 @@ def write_case_line(case: Case, hello: Hello) -> str:
             holes[f"{name}_holes"] = [ring(hole) for hole in inner]
     if hello.questions != (SUM,):
         line["reference"] = ring([case.reference])[0]
-    line |= holes
-    if not hello.is_old:
-        line["ask"] = list(hello.parts(case))
-    return json.dumps(line)
+    return json.dumps({**line, **holes, "ask": list(hello.parts(case))})
 
 
 def list_reflected_rings(case: Case) -> tuple[Loop, ...]:
