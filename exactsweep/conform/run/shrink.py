@@ -21,9 +21,7 @@ from exactsweep.conform.judge.verdict import Verdict
 from exactsweep.corpus import Case
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.numbers.error import ExactSweepError, tells_arguments
-from exactsweep.numbers.number import ORIGIN, Loop, Point
-
-_GivenRings = tuple[Loop, ...]
+from exactsweep.numbers.number import ORIGIN, Loop
 
 
 class ShrinkError(ExactSweepError):
@@ -31,44 +29,42 @@ class ShrinkError(ExactSweepError):
 
 
 class _GivenPair(NamedTuple):
-    """The rings of D and of G as given, the exterior of each first, and the reference point."""
+    """A pair as given: the rings of D, `split` of them, those of G, and the reference point."""
 
-    shapes: tuple[_GivenRings, ...]
-    reference: Point
+    rings: tuple[Loop, ...]
+    split: int
+
+    @classmethod
+    def of(cls, case: Case) -> _GivenPair:
+        d, g = case.directrix_rings, case.generatrix_rings
+        return cls((*d, *g, (case.reference,)), len(d))
 
     def size(self) -> tuple[int, int, Fraction]:
         """Return the vertices, the bits of their coordinates, and the sum of these."""
-        numbers = [c for point in self.points() for c in point]
+        numbers = [*chain(*chain(*self.rings))]
         bits = sum(c.numerator.bit_length() + c.denominator.bit_length() for c in numbers)
-        vertices = sum(map(len, chain(*self.shapes)))
-        return vertices, bits, sum(map(abs, numbers), Fraction(0))
+        return len(numbers), bits, sum(map(abs, numbers), Fraction(0))
 
-    def points(self) -> Iterator[Point]:
-        return chain(*chain(*self.shapes), (self.reference,))
-
-    def rings(self) -> Iterator[tuple[int, int, Loop]]:
-        """Yield each ring with the index of its shape and its own index there."""
-        for which, rings in enumerate(self.shapes):
-            yield from ((which, k, ring) for k, ring in enumerate(rings))
-
-    def with_ring(self, which: int, k: int, *ring: Loop) -> _GivenPair:
+    def replace(self, k: int, *ring: Loop) -> _GivenPair:
         """Return the pair with one ring replaced, or removed."""
-        shapes = list(self.shapes)
-        shapes[which] = (*shapes[which][:k], *ring, *shapes[which][k + 1 :])
-        return self._replace(shapes=tuple(shapes))
+        rings = (*self.rings[:k], *ring, *self.rings[k + 1 :])
+        return _GivenPair(rings, self.split - (not ring and k < self.split))
 
-    def map(self, function: Callable[[Fraction], Fraction], axes: str = "xy") -> _GivenPair:
-        """Return the pair with a function applied to all coordinates of some axes."""
-        shapes = tuple(_map(rings, function, axes) for rings in self.shapes)
-        ((reference,),) = _map(((self.reference,),), function, axes)
-        return _GivenPair(shapes, reference)
+    def map(
+        self, function: Callable[[Fraction], Fraction], axes: str = "xy", which: slice = slice(None)
+    ) -> _GivenPair:
+        """Return the pair with a function applied to the coordinates of some axes and rings."""
+        rings = list(self.rings)
+        rings[which] = (
+            tuple(p._replace(**{axis: function(getattr(p, axis)) for axis in axes}) for p in ring)
+            for ring in rings[which]
+        )
+        return self._replace(rings=tuple(rings))
 
-
-def _map(rings: _GivenRings, function: Callable[[Fraction], Fraction], axes: str) -> _GivenRings:
-    return tuple(
-        tuple(p._replace(**{axis: function(getattr(p, axis)) for axis in axes}) for p in ring)
-        for ring in rings
-    )
+    def put_in_corner(self, which: slice) -> _GivenPair:
+        """Move the lower left corner of a shape to the origin."""
+        x, y = map(min, zip(*self.rings[which][0], strict=True))
+        return self.map(lambda c: c - x, "x", which).map(lambda c: c - y, "y", which)
 
 
 @tells_arguments
@@ -120,7 +116,7 @@ class _Search:
         self._judge, self._fault = judge, fault
         self._tries, self._deadline = tries, deadline
         self._case = case
-        self._pair = _GivenPair((case.directrix_rings, case.generatrix_rings), case.reference)
+        self._pair = _GivenPair.of(case)
         self._size = self._pair.size()
         self._seen: set[_GivenPair] = set()
         self.best = self._make(self._pair)
@@ -156,13 +152,13 @@ class _Search:
         return True
 
     def _make(self, pair: _GivenPair) -> Case:
-        (d, *d_holes), (g, *g_holes) = pair.shapes
+        (d, *d_holes), (g, *g_holes) = pair.rings[: pair.split], pair.rings[pair.split : -1]
         return Case.of(
             f"{self._case.id}-shrunk",
             f"shrunk: {self._case.title}",
             d,
             g,
-            pair.reference,
+            pair.rings[-1][0],
             directrix_holes=d_holes,
             generatrix_holes=g_holes,
             inner_fit=self._case.inner_regions is not None,
@@ -171,36 +167,32 @@ class _Search:
 
 def _move(pair: _GivenPair) -> Iterator[_GivenPair]:
     """Canonical rings; the reference at the origin; each shape with its lower left corner there."""
-    canonical = (tuple(Polygon(ring).vertices for ring in rings) for rings in pair.shapes)
-    yield _GivenPair(tuple(canonical), ORIGIN)
-    yield pair._replace(reference=ORIGIN)
-    (d, g), (low_d, low_g) = pair.shapes, map(_put_in_corner, pair.shapes)
-    for shapes in ((low_d, low_g), (low_d, g), (d, low_g)):
-        yield pair._replace(shapes=shapes)
-
-
-def _put_in_corner(rings: _GivenRings) -> _GivenRings:
-    x, y = map(min, zip(*rings[0], strict=True))
-    return _map(_map(rings, lambda c: c - x, "x"), lambda c: c - y, "y")
+    canonical = (Polygon(ring).vertices for ring in pair.rings[:-1])
+    yield _GivenPair((*canonical, (ORIGIN,)), pair.split)
+    yield pair.replace(len(pair.rings) - 1, (ORIGIN,))
+    d, g = slice(pair.split), slice(pair.split, -1)
+    yield pair.put_in_corner(d).put_in_corner(g)
+    yield pair.put_in_corner(d)
+    yield pair.put_in_corner(g)
 
 
 def _remove(pair: _GivenPair) -> Iterator[_GivenPair]:
     """Remove holes and vertices."""
-    for which, k, ring in pair.rings():
-        if k > 0:
-            yield pair.with_ring(which, k)
+    for k, ring in enumerate(pair.rings[:-1]):
+        if k not in (0, pair.split):
+            yield pair.replace(k)
         length = len(ring) // 2
         while length:
             for start in range(0, len(ring), length):
                 rest = ring[:start] + ring[start + length :]
                 if len(rest) > 2:
-                    yield pair.with_ring(which, k, rest)
+                    yield pair.replace(k, rest)
             length //= 2
 
 
 def _shorten_all(pair: _GivenPair) -> Iterator[_GivenPair]:
     """Shorten all numbers: to coprime integers, to fewer bits, to their ranks on an axis."""
-    numbers = [c for point in pair.points() for c in point]
+    numbers = [*chain(*chain(*pair.rings))]
     scale = lcm(*(c.denominator for c in numbers))
     common = gcd(*(int(c * scale) for c in numbers)) or 1
     yield pair.map(lambda c: c * scale / common)
@@ -209,22 +201,22 @@ def _shorten_all(pair: _GivenPair) -> Iterator[_GivenPair]:
         power = 2 ** (bits := bits // 2)
         yield pair.map(lambda c, power=power: Fraction(round(c / power)))  # type: ignore[misc]
     for axis in "xy":
-        values = sorted({getattr(p, axis) for p in pair.points()})
+        values = sorted({getattr(p, axis) for p in chain(*pair.rings)})
         yield pair.map({c: Fraction(k) for k, c in enumerate(values)}.__getitem__, axis)
 
 
 def _shorten_one(pair: _GivenPair) -> Iterator[_GivenPair]:
     """Shorten one number, or all numbers of a ring that equal it on its axis."""
-    for which, number, ring in pair.rings():
+    for k, ring in enumerate(pair.rings[:-1]):
         for axis in "xy":
             for value in sorted({getattr(p, axis) for p in ring}, key=abs, reverse=True):
-                where = [k for k, p in enumerate(ring) if getattr(p, axis) == value]
+                where = [j for j, p in enumerate(ring) if getattr(p, axis) == value]
                 for other in _find_simpler(value):
-                    for chosen in [where, *([k] for k in where if len(where) > 1)]:
+                    for chosen in [where, *([j] for j in where if len(where) > 1)]:
                         moved = list(ring)
-                        for k in chosen:
-                            moved[k] = ring[k]._replace(**{axis: other})
-                        yield pair.with_ring(which, number, tuple(moved))
+                        for j in chosen:
+                            moved[j] = ring[j]._replace(**{axis: other})
+                        yield pair.replace(k, tuple(moved))
 
 
 def _find_simpler(value: Fraction) -> list[Fraction]:
