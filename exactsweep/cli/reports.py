@@ -76,9 +76,7 @@ class Reports:
         from exactsweep.conform.report.text import close, write_table
 
         if "-" not in self.list_files():
-            columns = measure_columns("-")
-            closing = close(run, is_timed=columns is not None)
-            write(f"{write_table(run.summary, columns)}\n{closing}", "-")
+            write(f"{write_table(run.summary, measure_columns('-'))}\n{close(run)}", "-")
         if self.junit is not None:
             from exactsweep.conform.report.junit import write_junit
 

@@ -11,7 +11,6 @@ from judged import CORRECT, HOSTILE, SQUARE, TWO, write_cases
 
 from exactsweep import processes
 from exactsweep.conform import Outcome, Run, Verdict
-from exactsweep.conform.report.text import tell_costs
 from exactsweep.conform.run.fault import name_fault
 from exactsweep.conform.run.outcome import judge_case
 from exactsweep.conform.run.process import ProcessPeer, Terms
@@ -102,15 +101,6 @@ def test_undecided_cases_neither_fail_nor_pass() -> None:
     assert report.summary.failures(Verdict.EXACT) == 0
     report.least_judged = Fraction(3, 4)
     assert report.find_objections() == ["only 1 of 2 cases judged, too few"]
-
-
-def test_known_costs_are_reported() -> None:
-    report = Run(Hello("mine"))
-    for k, memory in enumerate((None, None, 3 * MIB, None)):
-        report.add(Outcome(f"{k}", "CC", (), Verdict.EXACT, seconds=k / 8, memory=memory))
-        expected = [f"at most {k / 8:.3g} s for an answer ({k})"]
-        expected += ["at most 3.0 MiB of memory (2)"] if k > 1 else []
-        assert tell_costs(report.summary) == expected
 
 
 # Memory.

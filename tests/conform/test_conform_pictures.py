@@ -23,7 +23,7 @@ def outcome_of(case: Case, trajectory: Any) -> Outcome:
 
 
 def places(panel: Panel, name: str) -> list[tuple[float, float]]:
-    (path,) = (shape.path for shape in panel.shapes if shape.name == name)
+    path = panel.paths[name]
     return [(float(x), float(y)) for x, y in re.findall(r"(-?[\d.]+) (-?[\d.]+)", path)]
 
 
@@ -94,7 +94,7 @@ def test_unreadable_points_are_skipped(theirs: Any) -> None:
     outcome = outcome_of(Case.of("a", "", SQUARE, SQUARE), theirs)
     assert outcome.verdict is Verdict.MALFORMED
     (panel,) = draw_panels(outcome)
-    assert {shape.name for shape in panel.shapes} == {"directrix", "generatrix", "exact"}
+    assert {*panel.paths} == {"directrix", "generatrix", "exact"}
 
 
 def test_a_lost_fit_is_shown_as_a_segment() -> None:

@@ -5,7 +5,6 @@ import re
 import sys
 from fractions import Fraction
 from pathlib import Path
-from typing import Any
 from xml.etree import ElementTree
 
 import pytest
@@ -19,7 +18,6 @@ from exactsweep.conform.report.text import close
 from exactsweep.conform.run.outcome import Outcome
 from exactsweep.conform.run.protocol import Hello
 from exactsweep.conform.run.run import Run
-from exactsweep.conform.run.tally import Tally
 
 
 @pytest.fixture
@@ -41,16 +39,6 @@ def test_failed_runs_are_red_in_junit(spoil: str) -> None:
     assert not run.passed
     (suite,) = ElementTree.fromstring(write_junit(run))
     assert len(suite.findall("testcase/failure")) == int(suite.get("failures", "")) == 1
-
-
-def test_the_worst_loop_is_chosen_by_distance_and_by_area() -> None:
-    part: dict[str, Any] = {"name": "outer", "verdict": "wrong", "diagnosis": [], "granted": None}
-    tally = Tally()
-    for id, distance, area in (("a", "1", "5"), ("b", "2", "4")):
-        measured = {**part, "distance_squared": distance, "area": area}
-        tally.add(Outcome(id, "CC", (), Verdict.WRONG, parts=(measured,)))
-    (worst,) = tally.worst.values()
-    assert worst == ((Fraction(2), "b"), (Fraction(5), "a"))
 
 
 def test_twenty_kinds_of_failures_are_listed_and_others_counted() -> None:

@@ -74,11 +74,12 @@ def test_answers_of_the_package_are_answers() -> None:
 
 
 def test_other_values_are_unchanged() -> None:
-    assert judge("POLYGON").reason == "returns str, not a mapping"
-    assert judge({"trajectory": "POLYGON"}).reason == (
-        "$.trajectory is 'POLYGON', not a list of vertices"
-    )
+    for answer in ("POLYGON", {"trajectory": "POLYGON"}):
+        assert judge(answer).reason == "$.trajectory is 'POLYGON', not a list of vertices"
     assert judge({"trajectory": {"a": 1}}).verdict == "malformed"
+    case = Case.of("a", "", SQUARE, SQUARE)
+    run = conform(lambda *_: 3, [case], name="three", loops=["trajectory", "inner"])
+    assert run.outcomes[0].reason == "returns int, not a mapping"
     assert judge({"trajectory": Polygon(SQUARE), "rounding": 3}).verdict == "unsound"
 
 

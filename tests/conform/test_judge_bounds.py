@@ -26,7 +26,7 @@ from exactsweep.conform.judge import compare as comparing
 from exactsweep.conform.judge import region
 from exactsweep.conform.judge.compare import compare, find_fault
 from exactsweep.conform.judge.region import find_differences
-from exactsweep.conform.judge.rounding import BEYOND, _unit_in_last_place, to_double
+from exactsweep.conform.judge.rounding import BEYOND, to_double
 from exactsweep.conform.judge.verdict import PartComparison
 from exactsweep.corpus import Case
 from exactsweep.numbers.number import ORIGIN
@@ -68,7 +68,7 @@ def test_a_large_noisy_answer_is_judged(
     found = judge(scatter(amount), numbers="binary64")
     assert found.verdict == verdict
     assert found.distance_squared is None
-    assert bool(found.witnesses) == (verdict == "wrong")
+    assert bool(found.unsound or found.conservative) == (verdict == "wrong")
 
 
 @pytest.mark.parametrize("k", [-1, 1])
@@ -175,12 +175,6 @@ def test_ids_and_arguments_with_newlines_stay_on_their_line(tmp_path: Path) -> N
     assert "\x1b" not in done.stdout
     assert done.exit_code == 1
     assert done.stdout.partition("\n\n")[2].count("\n") == 2
-
-
-@pytest.mark.parametrize("value", ["5e-324", "1/3", "2/3", "3/4", "1", "7/5", "10/3", "1e308"])
-def test_doubles_are_as_far_apart_as_they_are(value: str) -> None:
-    number = Fraction(value)
-    assert _unit_in_last_place(number) == Fraction(math.ulp(float(number)))
 
 
 def test_numbers_beyond_doubles_are_unchanged() -> None:

@@ -73,7 +73,7 @@ def make_run(accepted: Verdict) -> Run:
 
 def list_parts() -> Iterator[str]:
     run = make_run(Verdict.EQUIVALENT)
-    yield f"{write_table(run.summary)}\n{close(run, is_timed=True)}"
+    yield f"{write_table(run.summary)}\n{close(run)}"
     run.complaints, run.interrupted = ["exited with code 1 after bye"], True
     yield close(run)
     yield close(make_run(Verdict.WITHIN))

@@ -20,26 +20,26 @@ HELLO = {
 MOST = 2500
 """Pairs of edges; the sum takes time proportional to their square."""
 
-Ring = list[tuple[float, float]]
-Shape = list[Ring]
+Contour = list[tuple[float, float]]
+Contours = list[Contour]
 """A polygon: its exterior, then its holes, in either orientation."""
-Line = tuple[complex, complex]
-Contours = list[list[complex]]
+ComplexLine = tuple[complex, complex]
+ComplexRings = list[list[complex]]
 """Rings with the inside on the left, their points as complex numbers."""
 
 
-def no_fit(d: Shape, g: Shape, reference: tuple[float, float]) -> Shape:
+def no_fit(d: Contours, g: Contours, reference: tuple[float, float]) -> Contours:
     """Return the rings around the positions of the reference point at which g overlaps d."""
     rings = minkowski_sum(d, scale(g, -1))
     return [[(x + reference[0], y + reference[1]) for x, y in ring] for ring in rings]
 
 
-def scale(shape: Shape, k: float) -> Shape:
+def scale(shape: Contours, k: float) -> Contours:
     """Multiply all coordinates."""
     return [[(k * x, k * y) for x, y in ring] for ring in shape]
 
 
-def minkowski_sum(a: Shape, b: Shape) -> Shape:
+def minkowski_sum(a: Contours, b: Contours) -> Contours:
     """Return the rings of a + b: edges of each at convex corners of the other, cut and filtered."""
     size = max(abs(c) for ring in (*a, *b) for p in ring for c in p)
     if not 1e-70 < size < 1e70:
@@ -66,8 +66,8 @@ def minkowski_sum(a: Shape, b: Shape) -> Shape:
             if (length := abs(s - r)) > near:
                 # The interior is left of each piece; the exterior is right of boundary pieces.
                 # At the midpoint, two corners might be opposite each other.
-                beside = r + (0.4372 - 1j * near / length) * (s - r)
-                if not is_inside(beside, first, second):
+                outer = r + (0.4372 - 1j * near / length) * (s - r)
+                if not is_inside(outer, first, second):
                     pieces.add((find_node(r), find_node(s)))
     return join(pieces)
 
@@ -77,12 +77,12 @@ def cross(u: complex, v: complex) -> float:
     return u.real * v.imag - u.imag * v.real
 
 
-def list_edges(shape: Contours) -> list[Line]:
+def list_edges(shape: ComplexRings) -> list[ComplexLine]:
     """List the edges of all rings."""
     return [(ring[k - 1], p) for ring in shape for k, p in enumerate(ring)]
 
 
-def orient(shape: Shape) -> Contours:
+def orient(shape: Contours) -> ComplexRings:
     """Orient rings with the interior on the left; drop repeated vertices."""
     found = []
     for k, given in enumerate(shape):
@@ -92,7 +92,7 @@ def orient(shape: Shape) -> Contours:
     return found
 
 
-def place_edges(edges: Contours, corners: Contours) -> list[Line]:
+def place_edges(edges: ComplexRings, corners: ComplexRings) -> list[ComplexLine]:
     """Translate each edge to the corners of the other shape whose edges enclose its direction."""
     return [
         (q + p, r + p)
@@ -103,7 +103,7 @@ def place_edges(edges: Contours, corners: Contours) -> list[Line]:
     ]
 
 
-def find_cuts(line: Line, other: Line, near: float) -> list[float]:
+def find_cuts(line: ComplexLine, other: ComplexLine, near: float) -> list[float]:
     """Find the parameters on a line, from 0 to 1, where another one crosses it or ends on it."""
     (p, q), (r, s) = line, other
     if min(r.real, s.real) > max(p.real, q.real) + near or (
@@ -119,7 +119,7 @@ def find_cuts(line: Line, other: Line, near: float) -> list[float]:
     return [t for t in cuts if 0 < t < 1]
 
 
-def is_inside(p: complex, a: Contours, b: Contours) -> bool:
+def is_inside(p: complex, a: ComplexRings, b: ComplexRings) -> bool:
     """Decide whether a point is inside a + b: whether a meets the point minus b."""
     c = [[p - q for q in ring] for ring in b]
     others = list_edges(c)
@@ -133,7 +133,7 @@ def is_inside(p: complex, a: Contours, b: Contours) -> bool:
     return holds(a, c[0][0]) or holds(c, a[0][0])
 
 
-def holds(shape: Contours, p: complex) -> bool:
+def holds(shape: ComplexRings, p: complex) -> bool:
     """Decide whether a point is inside a shape, by the parity of crossings of a ray."""
     crossed = (
         (a.imag > p.imag) != (b.imag > p.imag) and (cross(b - a, p - a) > 0) == (b.imag > a.imag)
@@ -142,7 +142,7 @@ def holds(shape: Contours, p: complex) -> bool:
     return sum(crossed) % 2 == 1
 
 
-def join(pieces: set[Line]) -> Shape:
+def join(pieces: set[ComplexLine]) -> Contours:
     """Join pieces to rings; at a branch, take the rightmost piece."""
     rings = []
     while pieces:
@@ -162,7 +162,7 @@ def join(pieces: set[Line]) -> Shape:
 def answer(case: dict[str, Any]) -> dict[str, Any]:
     """Answer all questions of a case."""
 
-    def read(name: str) -> Shape:
+    def read(name: str) -> Contours:
         rings = [case[name], *case.get(f"{name}_holes", [])]
         return [[(float(x), float(y)) for x, y in ring] for ring in rings]
 

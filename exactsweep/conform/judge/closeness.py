@@ -28,14 +28,6 @@ from exactsweep.numbers.addition import add_up
 from exactsweep.numbers.number import Fit, Point, PointRings
 
 
-class _OpenInterval(NamedTuple):
-    low: Fraction
-    high: Fraction
-
-
-_EDGE = _OpenInterval(Fraction(-1), Fraction(2))
-
-
 class _NearEdge(NamedTuple):
     """The points closer than a bound to an edge: an open hexagon, and its bounding box.
 
@@ -79,18 +71,14 @@ class _NearEdge(NamedTuple):
                     yield outside
                     inside = _clip(inside, [-height for height in above])
 
-    def cut(self, a: Point, b: Point) -> _OpenInterval | None:
-        """Return the interval of t in which a + t (b - a) is closer than the bound, if any."""
-        low, high = _EDGE
+    def reach(self, a: Point, b: Point) -> Fraction:
+        """Return the t at which a + t (b - a) leaves the hexagon, at most 2; some t is inside."""
+        ends = [Fraction(2)]
         for u, v, middle, half in self.strips:
             start, step = u * a.x + v * a.y - middle, u * (b.x - a.x) + v * (b.y - a.y)
-            if step == 0:
-                if abs(start) >= half:
-                    return None
-                continue
-            first, last = sorted(((-half - start) / step, (half - start) / step))
-            low, high = max(low, first), min(high, last)
-        return _OpenInterval(low, high) if low < high else None
+            if step:
+                ends.append(((half if step > 0 else -half) - start) / step)
+        return min(ends)
 
 
 def is_close(p: Point, edge: Fit, bound: Fraction) -> bool:
@@ -152,9 +140,7 @@ def covers(target: Iterable[Fit], edges: Iterable[Fit], bound: Fraction) -> bool
                     break
             else:
                 return False
-            found = near[hit].cut(a, b)
-            assert found is not None
-            t = found.high
+            t = near[hit].reach(a, b)
     return True
 
 

@@ -10,7 +10,6 @@ from itertools import islice
 from operator import itemgetter
 
 from exactsweep.conform.judge.boundary import (
-    RingBoundary,
     are_bridges,
     find_boundary,
     subtract_fits,
@@ -26,7 +25,7 @@ from exactsweep.conform.judge.region import (
     find_differences,
 )
 from exactsweep.conform.judge.rounded import match_rounded, name_joint
-from exactsweep.conform.judge.rounding import grant_rounding, limit_claim, name_arithmetic
+from exactsweep.conform.judge.rounding import grant_rounding, name_arithmetic
 from exactsweep.conform.judge.verdict import (
     LOOPS,
     AnsweredLoop,
@@ -36,7 +35,6 @@ from exactsweep.conform.judge.verdict import (
     Verdict,
     name_kind,
     read_loop,
-    read_number,
     read_segments,
 )
 from exactsweep.conform.judge.witness import (
@@ -84,8 +82,8 @@ def compare(
         result: the answer as plain data: a mapping with any of "trajectory", "inner", "outer",
             "no_fit", "minkowski_sum" and "inner_fit", each a loop as for `read_loop`; and
             "exact_fits" and "inner_exact_fits", lists of pairs of points. It may have the "id" of
-            the case and a "rounding": the claimed coordinate error, capped by `limit_claim`.
-        rounding: the permitted coordinate error, instead of the claim and `grant_rounding`.
+            the case.
+        rounding: the permitted coordinate error, instead of `grant_rounding`.
         promised: names of loops that must be there.
         numbers: the numbers of the program, as for `Hello`, or None: a program that reads binary64
             means 3.0 where it writes 3.
@@ -117,18 +115,9 @@ def compare(
         )
     if "id" in result and result["id"] != case.id:
         raise AnswerError(f"the answer has the id {quote(result['id'])}, not {case.id!r}")
-    claim = None
-    try:
-        if rounding is None and "rounding" in result:
-            claim = abs(read_number(result["rounding"], "$.rounding"))
-    except AnswerError as error:
-        return Comparison(case.id, Verdict.MALFORMED, str(error))
 
     def grant(name: str, loop: AnsweredLoop) -> Fraction:
-        if rounding is not None:
-            return rounding
-        granted = grant_rounding(case, name, loop, numbers)
-        return granted if claim is None else limit_claim(case, claim, granted)
+        return grant_rounding(case, name, loop, numbers) if rounding is None else rounding
 
     whiskers: dict[str, list[Fit]] = {NAME: [], INSIDE: []}
 
@@ -144,8 +133,6 @@ def compare(
         part, traced = judge_loop(case, name, loop, grant(name, loop))
         if name in FITS_OF and name != SUM:
             whiskers[FITS_OF[name]] += traced
-        if part.verdict is Verdict.WITHIN and claim is not None:
-            return replace(part, reason=f"{part.reason}, as it claims for itself")
         return part
 
     parts = []
@@ -203,7 +190,16 @@ def judge_loop(case: Case, name: str, loop: AnsweredLoop, rounding: Fraction) ->
         return _same(name, Verdict.EQUIVALENT, reason, kind), on_fits
     traced = match_rounded(boundary, right, fits, rounding)
     if traced is not None:
-        return _measure_rounded(case, name, boundary, traced, rounding), traced
+        plain = tuple(trace_rings(boundary))
+        joint = name_joint(exact, plain, name, rounding)
+        phrases = ("rounded", "exact fits traced by the loop" if traced else "", joint)
+        part = replace(
+            _measure(case, name, plain, None, (), rounding, is_rounded=True),
+            verdict=Verdict.WITHIN,
+            reason=", ".join(filter(None, phrases)),
+            kind="whisker" if traced else "",
+        )
+        return part, traced
     rings, fault = loop.rings, find_fault(loop.rings, f"$.{name}")
     if fault is not None and is_bridged:
         plain = tuple(trace_rings(boundary))
@@ -238,24 +234,6 @@ def find_fault(rings: Sequence[Loop], place: str) -> str | None:
     return None
 
 
-def _measure_rounded(
-    case: Case,
-    name: str,
-    boundary: RingBoundary,
-    traced: Sequence[Fit],
-    rounding: Fraction,
-) -> PartComparison:
-    plain = tuple(trace_rings(boundary))
-    joint = name_joint(list_exact_rings(case, name), plain, name, rounding)
-    phrases = ("rounded", "exact fits traced by the loop" if traced else "", joint)
-    return replace(
-        _measure(case, name, plain, None, (), rounding, is_rounded=True),
-        verdict=Verdict.WITHIN,
-        reason=", ".join(filter(None, phrases)),
-        kind="whisker" if traced else "",
-    )
-
-
 def _measure(
     case: Case,
     name: str,
@@ -271,8 +249,9 @@ def _measure(
     is_whole = False
     if is_small or not (fault or is_rounded):
         with suppress(RegionError):
+            # An error keeps the cells before it.
             for cell in find_differences(exact, rings):
-                cells.append(cell)  # noqa: PERF402: an error keeps the first ones
+                cells.append(cell)
             is_whole = True
     lost = [cell for cell in cells if cell.first]
     extra = [cell for cell in cells if not cell.first]

@@ -8,7 +8,7 @@ Each is compared as a whole, so a diagnosis is a proof, not a guess.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from fractions import Fraction
 from itertools import chain
 from operator import itemgetter
@@ -16,7 +16,13 @@ from typing import NamedTuple
 
 from exactsweep.conform.judge.closeness import are_close, find_box, is_near, take_pairs
 from exactsweep.conform.judge.rounding import name_arithmetic
-from exactsweep.conform.judge.witness import LOOP_NAMES, SUM, list_exact_rings, subtract
+from exactsweep.conform.judge.witness import (
+    LOOP_NAMES,
+    SUM,
+    find_middle,
+    list_exact_rings,
+    subtract,
+)
 from exactsweep.corpus import Case
 from exactsweep.geometry.canonical import find_centroid, find_doubled_area
 from exactsweep.geometry.polygon import Polygon
@@ -238,16 +244,16 @@ def _name_offsets(theirs: _DiagnosedRings, offset: Point) -> Iterator[str]:
     ring, (low, high) = case.generatrix_ring, case.generatrix.bounding_box
     first, base = ring[0], case.directrix_ring[0]
     d_low, _ = case.directrix.bounding_box
-    middle = Point((low.x + high.x) / 2, (low.y + high.y) / 2)
+    columns = zip(*ring, strict=True)
     named = {
         _GIVEN: case.reference,
         "G's first vertex as reference": first,
         "G's origin as reference": ORIGIN,
         "the reference point negated": subtract(ORIGIN, case.reference),
         "the lower left corner of G's box as reference": low,
-        "the centre of G's box as reference": middle,
+        "the centre of G's box as reference": find_middle(low, high),
         "G's centroid as reference": find_centroid(ring),
-        "the mean of G's vertices as reference": _mean(ring),
+        "the mean of G's vertices as reference": Point(*(add_up(c) / len(ring) for c in columns)),
         "G's last vertex as reference": ring[-1],
         "G's lowest vertex as reference": min(ring, key=lambda p: (p.y, p.x)),
         "G's leftmost vertex as reference": min(ring),
@@ -260,11 +266,6 @@ def _name_offsets(theirs: _DiagnosedRings, offset: Point) -> Iterator[str]:
     for name, point in named.items():
         if is_near(point, offset, theirs.rounding):
             yield name
-
-
-def _mean(ring: Sequence[Point]) -> Point:
-    x, y = (add_up(values) / len(ring) for values in zip(*ring, strict=True))
-    return Point(x, y)
 
 
 def _find_offset(shape: PointRings, theirs: _DiagnosedRings) -> Point | None:

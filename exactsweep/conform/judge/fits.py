@@ -21,7 +21,7 @@ from itertools import pairwise
 
 from exactsweep.conform.judge.boundary import are_collinear, subtract_fits
 from exactsweep.conform.judge.closeness import covers
-from exactsweep.conform.judge.verdict import PartComparison, Verdict
+from exactsweep.conform.judge.verdict import PartComparison, Verdict, Witness
 from exactsweep.conform.judge.witness import (
     INSIDE,
     NAME,
@@ -59,6 +59,11 @@ def judge_fits(
 
     Cost: O(f t) for f segments and t edges of the trajectory, times that of `classify`.
     """
+
+    def show(position: Point, which: str) -> Witness:
+        found = at_position(case, position, inside=name == INSIDE)
+        return replace(found, says=f"{found.says}; it is on {which} exact fit")
+
     fits = list_exact_fits(case, name)
     exact, answered = {*map(frozenset, fits)}, [*map(frozenset, theirs)]
     if set(answered) == exact and len(answered) == len(exact):
@@ -80,35 +85,27 @@ def judge_fits(
         differences["rounded"] = len(rounded)
     far = [fit for fit in others if not (rounding and covers(fits, [fit], rounding))]
     shown = [
-        at_position(case, position, inside=name == INSIDE)
+        show(position, "an answered")
         for fit in subtract_fits(far, fits)[1]
         for position in _places(case, fit, name)
         if not any(is_on_segment(position, *known) for known in fits)
     ]
     overlap = next((found for found in shown if found.classified == "OVERLAP"), None)
-    false = overlap or next(iter(shown), None)
     kind = ", ".join(differences)
     listed = ", ".join(f"{count(number, 'exact fit')} {how}" for how, number in differences.items())
-    if false is not None:
-        false = replace(false, says=f"{false.says}; it is on an answered exact fit")
-        return PartComparison(
-            name,
-            Verdict.UNSOUND if overlap else Verdict.FALSE_EXACT_FITS,
-            f"an answered exact fit {'overlaps' if overlap else 'is none'}: {listed}",
-            unsound=false if overlap else None,
-            conservative=None if overlap else false,
-            kind=kind,
-        )
-    missed = None
-    if missing:
-        missed = at_position(case, find_middle(*missing[0]), inside=name == INSIDE)
-        says = f"{missed.says}; it is on a missing exact fit"
-        missed = replace(missed, says=says)
+    if overlap is not None:
+        reason = f"an answered exact fit overlaps: {listed}"
+        return PartComparison(name, Verdict.UNSOUND, reason, unsound=overlap, kind=kind)
+    if shown:
+        reason = f"an answered exact fit is none: {listed}"
+        verdict = Verdict.FALSE_EXACT_FITS
+        return PartComparison(name, verdict, reason, conservative=shown[0], kind=kind)
+    missed = (show(find_middle(*fit), "a missing") for fit in missing)
     return PartComparison(
         name,
         Verdict.EQUIVALENT_EXCEPT_FOR_EXACT_FITS,
         listed,
-        conservative=missed,
+        conservative=next(missed, None),
         kind=kind,
         granted=rounding if rounded else None,
     )

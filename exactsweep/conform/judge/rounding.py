@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 import struct
+import sys
 from collections.abc import Callable, Iterator
 from fractions import Fraction
 from functools import partial
 from itertools import chain
-from math import floor
+from math import floor, ulp
 
 from exactsweep.conform.judge.verdict import LOOPS, AnsweredLoop
 from exactsweep.conform.judge.witness import SUM, list_exact_rings
@@ -29,10 +30,8 @@ ULPS = 16
 """Units in the last place of the largest coordinate: sums of three vertices, and a crossing."""
 SHARE = Fraction(1, 2**32)
 """The fraction of the smaller polygon's size granted in addition, for nearly parallel edges."""
-MOST_CLAIMED = Fraction(1, 100)
-"""The fraction of the smaller polygon's size that an answer may claim."""
 _NEAREST = Fraction(9, 16)
-_LEAST_UNIT = Fraction(1, 2**1074)
+_GREATEST = Fraction(sys.float_info.max)
 
 
 def grant_rounding(case: Case, name: str, loop: AnsweredLoop, numbers: str | None) -> Fraction:
@@ -52,19 +51,11 @@ def grant_rounding(case: Case, name: str, loop: AnsweredLoop, numbers: str | Non
         of a program that reads rationals, claim to be exact.
     """
     if loop.has_floats or numbers == "binary64":
-        return ULPS * _unit_in_last_place(_largest(case)) + SHARE * measure_smaller(case)
-    if numbers == "rational" or not loop.is_integer:
+        unit = Fraction(ulp(min(_largest(case), _GREATEST)))
+        return ULPS * unit + SHARE * measure_smaller(case)
+    if numbers == "rational" or not loop.is_integer or _is_integer(case, name):
         return Fraction(0)
-    return (
-        Fraction(0)
-        if _is_integer(case, name)
-        else max(_NEAREST, min(Fraction(1), measure_smaller(case)))
-    )
-
-
-def limit_claim(case: Case, claim: Fraction, granted: Fraction) -> Fraction:
-    """Return the granted part of an answer's claim."""
-    return min(claim, max(granted, MOST_CLAIMED * measure_smaller(case)))
+    return max(_NEAREST, min(Fraction(1), measure_smaller(case)))
 
 
 def measure_smaller(case: Case) -> Fraction:
@@ -86,18 +77,6 @@ def _largest(case: Case) -> Fraction:
 def _is_integer(case: Case, name: str) -> bool:
     rings = list_exact_rings(case, name)
     return all(c.denominator == 1 for ring in rings for point in ring for c in point)
-
-
-def _unit_in_last_place(value: Fraction) -> Fraction:
-    """Return the spacing of binary64 at a positive number of any size.
-
-    >>> _unit_in_last_place(Fraction(1)) == Fraction(2) ** -52
-    True
-    """
-    exponent = value.numerator.bit_length() - value.denominator.bit_length()
-    if value < Fraction(2) ** exponent:
-        exponent -= 1
-    return max(Fraction(2) ** (exponent - 52), _LEAST_UNIT)
 
 
 def name_arithmetic(exact: PointRings, theirs: PointRings) -> tuple[str, ...]:

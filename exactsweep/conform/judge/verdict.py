@@ -134,12 +134,6 @@ class PartComparison:
             return None
         return self.permitted + self.forbidden
 
-    @property
-    def witnesses(self) -> tuple[Witness, ...]:
-        """All witnesses, that of overlap first."""
-        found = (self.unsound, self.conservative)
-        return tuple(witness for witness in found if witness is not None)
-
     def to_json(self) -> dict[str, Any]:
         """Return plain data, numbers as strings, the area included."""
         return to_plain(asdict(self) | {"verdict": self.verdict.value, "area": self.area})
@@ -165,12 +159,6 @@ class Comparison:
     def worst(self) -> PartComparison | None:
         """The first of the worst parts; None without parts."""
         return max(self.parts, key=lambda part: part.verdict.severity, default=None)
-
-    @property
-    def witness(self) -> Witness | None:
-        """The first witness of the worst part, or None."""
-        part = self.worst
-        return part.witnesses[0] if part is not None and part.witnesses else None
 
     def to_json(self) -> dict[str, Any]:
         """Return plain data, numbers as strings."""
@@ -274,18 +262,6 @@ def read_segments(value: object, path: str) -> AnsweredLoop:
     return AnsweredLoop(tuple(p for p, _ in read), any(has_floats for _, has_floats in read))
 
 
-def read_number(value: object, path: str) -> Fraction:
-    """Read one number, as `read_loop` does.
-
-    Raises:
-        AnswerError: not a number.
-    """
-    try:
-        return to_fraction(value)
-    except NumberError as error:
-        raise AnswerError(f"{path}: {error}") from None
-
-
 def _read_points(pairs: Sequence[object], path: str) -> tuple[Loop, bool]:
     """Read points; return them, and whether a coordinate is a float."""
     points, has_floats = [], False
@@ -293,7 +269,10 @@ def _read_points(pairs: Sequence[object], path: str) -> tuple[Loop, bool]:
         found = _list(pair, f"{path}[{k}]", "a pair of numbers")
         if len(found) != 2:
             raise AnswerError(f"{path}[{k}] has {count(len(found), 'coordinate')}, not 2")
-        points.append(Point(*(read_number(c, f"{path}[{k}]") for c in found)))
+        try:
+            points.append(Point(*map(to_fraction, found)))
+        except NumberError as error:
+            raise AnswerError(f"{path}[{k}]: {error}") from None
         has_floats = has_floats or any(isinstance(c, float) for c in found)
     return tuple(points), has_floats
 

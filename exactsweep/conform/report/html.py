@@ -23,7 +23,7 @@ from exactsweep.canvas.svg import write_path
 from exactsweep.canvas.window import Window
 from exactsweep.conform.judge.verdict import AnswerError, Verdict, read_loop
 from exactsweep.conform.judge.witness import FITS_OF, SUM, add, list_exact_rings
-from exactsweep.conform.report.text import tell_costs, tell_witness
+from exactsweep.conform.report.text import tell_witness
 from exactsweep.conform.report.unit_test import guess_language, write_unit_test
 from exactsweep.conform.run.outcome import Outcome, list_witnesses
 from exactsweep.conform.run.peer import replace_controls
@@ -87,7 +87,6 @@ def write_html(run: Run) -> str:
             for name in (*run.hello.loops, *run.hello.questions)
             if name != "sweep"
         ],
-        costs=tell_costs(summary),
         failures=failures,
         failed=islice(failed, _MOST_LISTED),
         more=max(0, failures - _MOST_LISTED),
@@ -127,24 +126,17 @@ def _about(value: Fraction) -> str:
     return rounded if Fraction(Decimal(rounded)) == value else f"about {rounded}"
 
 
-class SvgPath(NamedTuple):
-    """A class of the style sheet, and the data of an SVG path."""
-
-    name: str
-    path: str
-
-
 class Panel(NamedTuple):
     """A square picture, SIDE pixels wide.
 
     Attributes:
         caption: the part, and the size of the window.
-        shapes: from back to front.
+        paths: data of SVG paths by class of the style sheet, from back to front.
         witness: the position of the witness in pixels, or None.
     """
 
     caption: str
-    shapes: tuple[SvgPath, ...]
+    paths: dict[str, str]
     witness: tuple[float, float] | None
 
 
@@ -164,7 +156,7 @@ class _Scene(NamedTuple):
 def draw_panels(outcome: Outcome) -> list[Panel]:
     """Draw the worst part of an outcome with its case; without parts, the exact trajectory.
 
-    Panels show everything; the surroundings of D, if the answer reaches far; and the surroundings
+    Panels show everything; the surroundings of D, if the witness is far away; and the surroundings
     of the witness, if the error is too small to be visible.
     """
     name = outcome.worst["name"] if outcome.worst else "trajectory"
@@ -234,15 +226,12 @@ def _around(points: Iterable[Point]) -> Window:
 def _panel(scene: _Scene, window: Window, caption: str) -> Panel:
     if not window.is_true:
         caption += "; not to scale: each axis has a unit of its own"
-    paths = (
-        (name, write_path((map(window.place, ring) for ring in rings), closed=closed))
+    paths = {
+        name: write_path((map(window.place, ring) for ring in rings), closed=closed)
         for name, rings, closed in scene.layers
-    )
-    return Panel(
-        caption,
-        tuple(SvgPath(name, data) for name, data in paths if data),
-        window.place(scene.witness) if scene.witness else None,
-    )
+        if rings
+    }
+    return Panel(caption, paths, window.place(scene.witness) if scene.witness else None)
 
 
 def _times(value: Fraction) -> str:

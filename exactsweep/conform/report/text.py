@@ -8,7 +8,7 @@ from typing import Any
 from exactsweep.conform.judge.verdict import Comparison, PartComparison, Verdict
 from exactsweep.conform.judge.witness import LOOP_NAMES
 from exactsweep.conform.run.outcome import list_witnesses
-from exactsweep.conform.run.peer import cut, tell_bytes
+from exactsweep.conform.run.peer import cut
 from exactsweep.conform.run.run import Run
 from exactsweep.conform.run.tally import Tally, fails
 from exactsweep.text.report import approximate, lay_out, make_table, take_root
@@ -88,13 +88,8 @@ def write_table(summary: Tally, terminal_width: int | None = None) -> str:
     return lay_out([grid], terminal_width)
 
 
-def close(run: Run, *, is_timed: bool = False) -> str:
-    """Write the lines below the table: the diagnosis, the faults and the result of the run.
-
-    Args:
-        run: a Run.
-        is_timed: whether to name the answers that took most time and memory.
-    """
+def close(run: Run) -> str:
+    """Write the lines below the table: the diagnosis, the faults and the result of the run."""
     diagnosis = run.summary.diagnosis()
     lines = [] if diagnosis is None else [diagnosis]
     faults = run.list_faults()
@@ -114,23 +109,12 @@ def close(run: Run, *, is_timed: bool = False) -> str:
     rounded = run.summary.total(Verdict.WITHIN)
     if rounded and fails(Verdict.WITHIN, run.accepted):
         lines.append(f"with --accept within, {count(rounded, 'rounded answer')} would pass")
-    if is_timed:
-        lines += tell_costs(run.summary)
     summary = run.summary
     ending = "passed" if run.passed else "failed"
     judged = f"{summary.judged} of {count(summary.total(), 'case')} judged"
     worse = f"{summary.failures(run.accepted)} worse than {run.accepted}"
     lines += [*run.find_objections(), f"{run.hello.name}: {ending}, {judged}, {worse}"]
     return "".join(f"{line}\n" for line in lines)
-
-
-def tell_costs(summary: Tally) -> list[str]:
-    """Name the answers that took most time and most memory, if known."""
-    (seconds, slowest), (memory, largest) = summary.slowest, summary.largest
-    lines = [f"at most {seconds:.3g} s for an answer ({slowest})"] if slowest else []
-    if memory:
-        lines.append(f"at most {tell_bytes(memory)} of memory ({largest})")
-    return lines
 
 
 def write_counts(summary: Tally) -> str:

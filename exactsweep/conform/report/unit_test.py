@@ -20,6 +20,7 @@ class _Language(NamedTuple):
         line: the template of a constant.
         brackets: around a list.
         point: around a point.
+        types: of doubles, of rationals, and of integers; "" if declarations name no type.
         comment: before a remark.
     """
 
@@ -27,11 +28,14 @@ class _Language(NamedTuple):
     line: str
     brackets: tuple[str, str]
     point: tuple[str, str]
+    types: tuple[str, str, str] = ("", "", "")
     comment: str = "//"
 
 
 _LANGUAGES = {
-    "Python": _Language(r"\bpython|\.py\b", "{name} = {value}", ("[", "]"), ("(", ")"), "#"),
+    "Python": _Language(
+        r"\bpython|\.py\b", "{name} = {value}", ("[", "]"), ("(", ")"), comment="#"
+    ),
     "JavaScript": _Language(
         r"\b(node|deno|bun)\b|\.[mc]?[jt]s\b", "const {name} = {value};", ("[", "]"), ("[", "]")
     ),
@@ -40,19 +44,16 @@ _LANGUAGES = {
         "let {name}: Vec<Vec<({type}, {type})>> = {value};",
         ("vec![", "]"),
         ("(", ")"),
+        ("f64", "&str", "i64"),
     ),
     "C++": _Language(
         "",
         "const std::vector<std::vector<std::pair<{type}, {type}>>> {name} = {value};",
         ("{", "}"),
         ("{", "}"),
+        ("double", "std::string", "long long"),
     ),
 }
-_TYPES = {
-    "binary64": {"Rust": "f64", "C++": "double"},
-    "rational": {"Rust": "&str", "C++": "std::string"},
-}
-_INTEGERS = {"Rust": "i64", "C++": "long long"}
 
 
 def guess_language(command: Sequence[str], name: str) -> str:
@@ -87,9 +88,10 @@ def write_unit_test(
     """
     how = _LANGUAGES[language]
     is_double = numbers == "binary64"
-    writers = {"binary64": _write_double, "rational": lambda c: f'"{format_fraction(c)}"'}
-    number = writers.get(numbers, format_fraction)
-    kind = _TYPES.get(numbers, _INTEGERS).get(language, "")
+    number, kind = {
+        "binary64": (_write_double, how.types[0]),
+        "rational": (lambda c: f'"{format_fraction(c)}"', how.types[1]),
+    }.get(numbers, (format_fraction, how.types[2]))
     lines = [f"{how.comment} {remark}"]
     for name, rings in shapes:
         points = ([_surround(how.point, map(number, p)) for p in ring] for ring in rings)

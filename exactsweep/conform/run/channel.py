@@ -11,7 +11,7 @@ from contextlib import suppress
 from typing import IO
 
 from exactsweep.conform.judge.verdict import Verdict
-from exactsweep.conform.run.peer import MAX_STDERR, tell_bytes
+from exactsweep.conform.run.peer import MAX_STDERR
 from exactsweep.numbers.limits import get_max_bytes, get_max_mib
 from exactsweep.processes import Started
 
@@ -162,7 +162,7 @@ class Channel:
         if peak is not None and not self._closing:
             self.peak = max(peak, self.peak or 0)
             if self._most is not None and self.peak > self._most:
-                raise LargeError(f"holds more than {tell_bytes(self._most)}")
+                raise LargeError(f"holds more than {self._most / 2**20:.1f} MiB")
 
     def _take(self) -> bytes | None:
         end = self._incoming.find(b"\n", self._searched)

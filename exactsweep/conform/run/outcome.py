@@ -19,9 +19,7 @@ from exactsweep.conform.run.peer import Answer, Peer
 from exactsweep.conform.run.protocol import Hello, UnsupportedError, adapt
 from exactsweep.conform.run.shrink import shrink
 from exactsweep.corpus import Case, case_from_json, case_to_json
-from exactsweep.numbers.digits import format_fraction
-from exactsweep.numbers.error import ExactSweepError, NumberError, quote
-from exactsweep.numbers.number import to_fraction
+from exactsweep.numbers.error import ExactSweepError
 
 TO_COMPARE = 60.0
 """CPU seconds per comparison; work bounds normally stop earlier."""
@@ -225,12 +223,5 @@ def digest_case(case: Case) -> str:
 
 
 def _plain(result: Mapping[str, Any]) -> Mapping[str, Any] | None:
-    text = json.dumps(result, default=_write_number)
+    text = json.dumps(result, default=str)
     return json.loads(text) if len(text) <= _MAX_RESULT else None
-
-
-def _write_number(value: object) -> str:
-    try:
-        return format_fraction(to_fraction(value))
-    except NumberError:
-        return quote(value)

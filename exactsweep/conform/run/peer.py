@@ -83,23 +83,6 @@ def replace_controls(text: str) -> str:
     )
 
 
-def tell_bytes(number: int) -> str:
-    """Write an amount of memory.
-
-    >>> tell_bytes(5 * 2**20 + 1), tell_bytes(300)
-    ('5.0 MiB', '0.0 MiB')
-    """
-    return f"{number / 2**20:.1f} MiB"
-
-
-def is_shape(value: object) -> bool:
-    """Decide whether a value is a loop or a region, and no mapping from names."""
-    is_named = isinstance(value, (str, Mapping))
-    return isinstance(value, (Polygon, Region)) or (
-        not is_named and (isinstance(value, Iterable) or hasattr(value, "__geo_interface__"))
-    )
-
-
 def make_plain(value: Any) -> Any:
     """Return vertices and rings in any form as lists, and other values unchanged.
 
@@ -164,7 +147,7 @@ class CallablePeer:
         began = time.monotonic()
         try:
             result = self._function(*given)
-            if len(parts) == 1 and is_shape(result):
+            if len(parts) == 1 and not isinstance(result, Mapping):
                 result = {parts[0]: result}
             if isinstance(result, Mapping):
                 result = {name: make_plain(value) for name, value in result.items()}

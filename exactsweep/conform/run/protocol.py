@@ -73,10 +73,8 @@ class Hello:
 
     def parts(self, case: Case) -> tuple[str, ...]:
         """Return the parts of an answer to a case: loops of a sweep, and other questions."""
-        fits = [name for name in self.questions if name != "sweep"]
-        if case.inner_regions is None:
-            fits = [name for name in fits if name != "inner_fit"]
-        return (*self.loops, *fits)
+        others = {"sweep"} if case.inner_regions is not None else {"sweep", "inner_fit"}
+        return (*self.loops, *(name for name in self.questions if name not in others))
 
     def to_json(self) -> dict[str, Any]:
         """Return the line as plain data."""
@@ -116,10 +114,9 @@ def make_hello(said: Mapping[str, object]) -> Hello:
 
 
 def _choose(said: Mapping[str, object], key: str, allowed: tuple[Word, ...]) -> Word:
-    for word in allowed:
-        if word == said[key]:
-            return word
-    raise ProtocolError(f'"{key}" is {quote(said[key])}, not one of {", ".join(allowed)}')
+    if said[key] not in allowed:
+        raise ProtocolError(f'"{key}" is {quote(said[key])}, not one of {", ".join(allowed)}')
+    return allowed[allowed.index(said[key])]
 
 
 def _choose_some(

@@ -11,7 +11,7 @@ from exactsweep import __version__
 from exactsweep.conform.judge.verdict import Verdict
 from exactsweep.conform.run.outcome import Outcome
 from exactsweep.conform.run.protocol import Hello
-from exactsweep.conform.run.tally import ACCEPTED, Tally, Worst, fails
+from exactsweep.conform.run.tally import ACCEPTED, Tally, fails
 from exactsweep.numbers.digits import format_fraction
 from exactsweep.words import count
 
@@ -160,8 +160,6 @@ class Run:
             "complaints": self.complaints,
             "objections": self.find_objections(),
             "seconds": round(summary.seconds, 3),
-            "slowest": list(summary.slowest),
-            "largest": list(summary.largest),
             "counts": {
                 group: {
                     verdict.value: summary.counts[group, verdict]
@@ -176,11 +174,6 @@ class Run:
                 {"fault": fault.name, "count": fault.count, "smallest": fault.kept[0].id}
                 for fault in self.list_faults()
             ],
-            "worst": {name: _worst(worst) for name, worst in summary.worst.items()},
             "outcomes": [outcome.to_json() for outcome in self.list_outcomes()],
             "shrunk": {id: outcome.to_json() for id, outcome in self.shrunk.items()},
         }
-
-
-def _worst(worst: Worst) -> dict[str, Any]:
-    return {name: [format_fraction(value), id] for name, (value, id) in worst._asdict().items()}

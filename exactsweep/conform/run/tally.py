@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Iterable
 from fractions import Fraction
-from typing import NamedTuple
 
 from exactsweep.conform.judge.verdict import Verdict
 from exactsweep.conform.run.outcome import Outcome
@@ -16,18 +15,6 @@ ALL = "all"
 
 ACCEPTED = Verdict.EQUIVALENT_EXCEPT_FOR_EXACT_FITS
 """The default worst verdict that passes."""
-
-
-class Worst(NamedTuple):
-    """The greatest errors of one kind of loop.
-
-    Attributes:
-        distance_squared: the greatest squared distance of a vertex, and its case.
-        area: the greatest area of a symmetric difference, and its case.
-    """
-
-    distance_squared: tuple[Fraction, str]
-    area: tuple[Fraction, str]
 
 
 _DIFFERENT = (Verdict.CONSERVATIVE, Verdict.UNSOUND, Verdict.WRONG)
@@ -41,10 +28,7 @@ class Tally:
 
     Attributes:
         counts: Counter of (group, verdict); a group is "all", a class or a flag.
-        worst: dict from the name of a loop to its Worst, if anything was measured.
         seconds: the total time of all answers.
-        slowest: the longest time of an answer, and the id of its case.
-        largest: the peak memory of an answer in bytes, likewise; 0 if unknown.
         granted: the greatest rounding with which a loop is within, and the id of its case.
         different: the number of trajectories that are conservative, unsound or wrong.
         diagnoses: Counter of their diagnoses.
@@ -57,10 +41,7 @@ class Tally:
 
     def __init__(self, outcomes: Iterable[Outcome] = ()) -> None:
         self.counts: Counter[tuple[str, Verdict]] = Counter()
-        self.worst: dict[str, Worst] = {}
         self.seconds = 0.0
-        self.slowest = (0.0, "")
-        self.largest = (0, "")
         self.granted = (Fraction(0), "")
         self.different = 0
         self.diagnoses: Counter[str] = Counter()
@@ -72,19 +53,12 @@ class Tally:
         for group in (ALL, outcome.kind, *outcome.flags):
             self.counts[group, outcome.verdict] += 1
         self.seconds += outcome.seconds
-        self.slowest = max(self.slowest, (outcome.seconds, outcome.id))
-        self.largest = max(self.largest, (outcome.memory or 0, outcome.id))
         for part in outcome.parts:
             if part["name"] in ("trajectory", "no_fit") and Verdict(part["verdict"]) in _DIFFERENT:
                 self.different += 1
                 self.diagnoses.update(part["diagnosis"])
             if part["granted"] and Verdict(part["verdict"]) is Verdict.WITHIN:
                 self.granted = max(self.granted, (read_any_length(part["granted"]), outcome.id))
-            if part["distance_squared"] is not None and part["area"] is not None:
-                distance = read_any_length(part["distance_squared"]), outcome.id
-                area = read_any_length(part["area"]), outcome.id
-                old = self.worst.get(part["name"], Worst(distance, area))
-                self.worst[part["name"]] = Worst(max(old[0], distance), max(old[1], area))
 
     def find_cause(self) -> str | None:
         """Return the diagnosis that all differing answers share, or None."""
