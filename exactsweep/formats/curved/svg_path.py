@@ -1,7 +1,7 @@
 """Path data of SVG (SVG 1.1, 8.3)."""
 
 import re
-from contextlib import suppress
+from collections.abc import Sequence
 from fractions import Fraction
 from itertools import accumulate
 from typing import NoReturn
@@ -17,25 +17,23 @@ from exactsweep.formats.curved.curves import (
     make_round_arc,
 )
 from exactsweep.formats.curved.path import Path, place_points
-from exactsweep.formats.decimals import DECIMAL, read_decimal, read_points
+from exactsweep.formats.decimals import DECIMAL, count_decimals, read_decimal, read_decimals
 from exactsweep.formats.error import FormatError
 from exactsweep.formats.reading import Reading
-from exactsweep.geometry.reading import to_lattice
 from exactsweep.numbers.error import NumberError, quote
-from exactsweep.numbers.number import ORIGIN, Point, divide_all, make_points
+from exactsweep.numbers.number import ORIGIN, Point, make_points
 
-_GAP = re.compile(r"[\s,]*")
-_NUMBER = re.compile(rf"[\s,]*({DECIMAL})")
-# Runs of pairs of lines, optionally with the command between them; bounded, so that vertices are
-# counted in time.
-_PAIR = rf"[\s,]*+{DECIMAL}[\s,]*+{DECIMAL}"
-_LINES = {letter: re.compile(rf"(?:[\s,]*+{letter}?+{_PAIR}){{1,4096}}+") for letter in "Ll"}
+_NUMBER = rf"[\s,]*+({DECIMAL})"
+# The flags of an arc need no separators.
+_ARC = _NUMBER * 3 + r"[\s,]*+([01])" * 2 + _NUMBER * 2
+_RUN = re.compile(
+    rf"(?P<letter>[A-Za-z])(?P<numbers>(?<=[Aa])(?:{_ARC})*+|(?<![Aa])(?:{_NUMBER})*+)[\s,]*+"
+)
+# The numbers of each command.
+_SIZES = {"M": 2, "L": 2, "H": 1, "V": 1, "C": 6, "S": 4, "Q": 4, "T": 2, "A": 7, "Z": 0}
+_BEZIERS = "CSQT"
 # The height of an arc is rounded to a multiple of 1 / _HEIGHTS.
 _HEIGHTS = 10**40
-_FLAG = re.compile(r"[\s,]*([01])")
-# The arguments of each command: coordinates, numbers, and flags.
-_ARGUMENTS = {"M": "", "L": "", "H": "x", "V": "y", "C": "xyxyxy", "S": "xyxy"}
-_ARGUMENTS |= {"Q": "xyxy", "T": "xy", "A": "nnnffxy", "Z": ""}
 
 
 def read_path(data: str, matrix: Affine, reading: Reading) -> list[Path]:
@@ -49,129 +47,119 @@ def read_path(data: str, matrix: Affine, reading: Reading) -> list[Path]:
     Raises:
         FormatError: not path data, with the character; or too many vertices.
     """
-    return _PathData(data, matrix, reading).lines()
+    drawn = _Subpaths(matrix, reading)
+    place = len(data) - len(data.lstrip(" \t\r\n\f,"))
+    while place < len(data):
+        match = _RUN.match(data, place)
+        if match is None:
+            _refuse(f"expected a command, found {quote(data[place : place + 20])}", place)
+        letter, numbers = match["letter"], match["numbers"]
+        size = _SIZES.get(letter.upper())
+        if size is None:
+            _refuse(f"{quote(letter)} is not a path command", place)
+        if not drawn.found and letter not in "Mm":
+            _refuse("the path does not begin with M", place)
+        count = count_decimals(numbers)
+        reading.allow_vertices(count // size if size else 1)
+        # The flags of arcs may make one number.
+        if (size and letter not in "Aa" and count % size) or bool(size) != bool(count):
+            found = quote(data[place + 1 : place + 21]) if data[place + 1 :] else "the end"
+            several = f"{size} numbers, or a multiple," if size else "no number"
+            _refuse(f"expected {several} after {letter}, found {found}", place)
+        try:
+            if letter in "Aa":
+                drawn.draw(letter, [[*map(read_decimal, arc)] for arc in re.findall(_ARC, numbers)])
+            else:
+                values = read_decimals(numbers)
+                drawn.draw(letter, [values[k : k + size] for k in range(0, count, size or 1)])
+        except (FormatError, NumberError) as error:
+            _refuse(str(error), place)
+        place = match.end()
+    found = [path for path in drawn.found if path.points]
+    if not found:
+        _refuse("the path is empty", 0)
+    return found
 
 
-class _PathData:
-    def __init__(self, data: str, matrix: Affine, reading: Reading) -> None:
-        self.data, self.matrix, self.reading = data, matrix, reading
-        self.place = 0
-        self.command = ""
-        self.current = ORIGIN
+def _refuse(reason: str, place: int) -> NoReturn:
+    raise FormatError(f"path data, character {place + 1}: {reason}")
+
+
+class _Subpaths:
+    def __init__(self, matrix: Affine, reading: Reading) -> None:
+        self.matrix, self.reading = matrix, reading
+        self.current = self.start = ORIGIN
         # The control point that a smooth curve mirrors, with the commands that may mirror it.
         self.control: tuple[str, Point] = ("", ORIGIN)
-        # The start of the current subpath, before the matrix, and all subpaths.
-        self.start = ORIGIN
         self.found: list[Path] = []
 
-    def lines(self) -> list[Path]:
-        while not self._at_end():
-            start = self.place
-            letter = self.data[start]
-            if letter.isalpha():
-                self.place += 1
-                self.command = letter
-                if letter.upper() not in _ARGUMENTS:
-                    self._refuse(f"{quote(letter)} is not a path command", start)
-            elif self.command in ("", *"Zz"):
-                self._refuse(
-                    f"expected a command, found {quote(self.data[start : start + 20])}", start
-                )
-            kind = self.command.upper()
-            if kind == "M":
-                self._begin()
-            elif not self.found:
-                self._refuse("the path does not begin with M", start)
-            elif not self.found[-1].points and kind != "Z":
-                # After Z, the next subpath begins where the last one did.
-                self._add([self.current])
-            self._draw(kind, start)
-        found = [line for line in self.found if line.points]
-        if not found:
-            self._refuse("the path is empty", 0)
-        return found
-
-    def _draw(self, kind: str, start: int) -> None:
-        """Read the arguments of a command and draw it; draw a run of lines in one batch."""
-        before, (kinds, control) = self.current, self.control
-        if kind in "ML":
-            self._draw_lines(kind)
-            return
-        values = [self._argument(sort) for sort in _ARGUMENTS[kind]]
-        points = [Point(*pair) for pair in zip(values[::2], values[1::2], strict=False)]
-        self.control = ("", before)
+    def draw(self, letter: str, rows: Sequence[Sequence[Fraction]]) -> None:
+        """Draw a command with its rows of numbers; a small letter makes them relative."""
+        kind, is_relative = letter.upper(), letter.islower()
+        if kind not in _BEZIERS:
+            self.control = ("", ORIGIN)
         if kind == "Z":
-            self.reading.allow_vertices(1)
             self.found[-1].points += self.found[-1].points[:1]
-            self._begin()
             self.current = self.start
-        elif kind == "H":
-            self._add([Point(values[0], before.y)])
-        elif kind == "V":
-            self._add([Point(before.x, values[0])])
-        elif kind == "A":
-            rx, ry, angle, large, left = values[:5]
-            end = Point(*values[5:])
-            if rx and ry and end != before:
-                angle = angle if abs(rx) != abs(ry) else Fraction(0)
-                shape = (abs(rx), abs(ry)), angle, (bool(large), bool(left))
-                arc = make_elliptic_arc((before, end), *shape, self.matrix)
-                # No point of the arc is farther from its ends than this.
-                room = 2 * (abs(rx) + abs(ry) + abs(end.x - before.x) + abs(end.y - before.y))
-                self._curve(arc, end, [Point(abs(x) + room, y) for x, y in (before, end)])
-            else:
-                self._add([end])
+        if kind in "MZ":
+            self.found.append(Path())
+        elif not self.found[-1].points:
+            # After Z, the next subpath begins where the last one did.
+            self._add([self.current])
+        if kind in "ML":
+            ends = make_points(*zip(*rows, strict=True))
+            if is_relative:
+                ends = [*accumulate(ends, _add, initial=self.current)][1:]
+            # Further pairs after M are lines.
+            self.start = ends[0] if kind == "M" else self.start
+            self._add(ends)
+            return
+        for row in rows:
+            x, y = self.current
+            origin = self.current if is_relative else ORIGIN
+            if kind == "H":
+                self._add([Point(origin.x + row[0], y)])
+            elif kind == "V":
+                self._add([Point(x, origin.y + row[0])])
+            elif kind == "A":
+                self._draw_arc(row, _add(origin, Point(*row[5:])))
+            elif kind in _BEZIERS:
+                points = make_points(row[::2], row[1::2])
+                self._draw_bezier(kind, [_add(origin, point) for point in points])
+
+    def _draw_arc(self, row: Sequence[Fraction], end: Point) -> None:
+        before, rx, ry = self.current, abs(row[0]), abs(row[1])
+        if not rx or not ry or end == before:
+            self._add([end])
+            return
+        angle = row[2] if rx != ry else Fraction(0)
+        flags = bool(row[3]), bool(row[4])
+        arc = make_elliptic_arc((before, end), (rx, ry), angle, flags, self.matrix)
+        # No point of the arc is farther from its ends than this.
+        room = 2 * (rx + ry + abs(end.x - before.x) + abs(end.y - before.y))
+        self._curve(arc, end, [Point(abs(x) + room, y) for x, y in (before, end)])
+
+    def _draw_bezier(self, kind: str, points: list[Point]) -> None:
+        before, (known, control) = self.current, self.control
+        if kind in "ST":
+            smooth = Point(2 * before.x - control.x, 2 * before.y - control.y)
+            points.insert(0, smooth if kind in known else before)
+        self.control = ("CS" if kind in "CS" else "QT", points[-2])
+        controls = [before, *points]
+        if all(point == before for point in points):
+            self._add([before])
         else:
-            if kind in "ST":
-                smooth = Point(2 * before.x - control.x, 2 * before.y - control.y)
-                points.insert(0, smooth if kind in kinds else before)
-            controls = [before, *points]
             curve = make_bezier(tuple(place_points(controls, self.matrix)))
-            if any(point != before for point in points):
-                self._curve(curve, points[-1], controls)
-            else:
-                self._add([before])
-            self.control = ("CS" if kind in "CS" else "QT", points[-2])
-
-    def _draw_lines(self, kind: str) -> None:
-        # Further pairs after M are lines.
-        self.command = "L" if self.command.isupper() else "l"
-        ends = self._read_pairs(self.command)
-        if self.command == "l":
-            scale, steps = to_lattice(*zip(self.current, *ends, strict=True))
-            columns = (accumulate(column) for column in zip(*steps, strict=True))
-            ends = make_points(*(divide_all(column, scale) for column in columns))[1:]
-        if kind == "M":
-            self.start = ends[0]
-        self._add(ends)
-        self.control = ("", ORIGIN)
-
-    def _read_pairs(self, letter: str) -> list[Point]:
-        run = _LINES[letter].match(self.data, self.place)
-        if run:
-            with suppress(NumberError):
-                points = read_points(run[0].replace(letter, " "))
-                self.place = run.end()
-                return points
-            self.data = self.data.replace(letter, " ")
-        # A number is missing or too long.
-        while True:
-            self._argument("n")
-
-    def _begin(self) -> None:
-        self.found.append(Path())
+            self._curve(curve, points[-1], controls)
 
     def _add(self, ends: list[Point]) -> None:
-        self.reading.allow_vertices(len(ends))
         self.current = ends[-1]
-        path = self.found[-1]
-        path.points += place_points(ends, self.matrix)
+        self.found[-1].points += place_points(ends, self.matrix)
         self._let_off(ends)
 
     def _curve(self, drawn: tuple[Curve, bool], end: Point, around: list[Point]) -> None:
         """Add a curve in the hull of some points."""
         curve, forward = drawn
-        self.reading.allow_vertices(1)
         self.current = end
         (placed,) = place_points([end], self.matrix)
         self.found[-1].add_curve(curve, placed, forward=forward)
@@ -181,35 +169,9 @@ class _PathData:
         if self.matrix.off:
             self.found[-1].off = max(self.found[-1].off, self.matrix.error(points))
 
-    def _argument(self, sort: str) -> Fraction:
-        """Read a number; of a small letter, relative to the current point."""
-        if sort == "f":
-            return Fraction(self._match(_FLAG, "a flag, 0 or 1")[0])
-        text, start = self._match(_NUMBER, "a number")
-        try:
-            value = read_decimal(text)
-        except NumberError as error:
-            self._refuse(str(error), start)
-        if sort == "n" or self.command.isupper():
-            return value
-        return value + self.current["xy".index(sort)]
 
-    def _match(self, pattern: re.Pattern[str], what: str) -> tuple[str, int]:
-        match = pattern.match(self.data, self.place)
-        if match is None:
-            shown = "the end" if self._at_end() else quote(self.data[self.place : self.place + 20])
-            self._refuse(f"expected {what}, found {shown}", self.place)
-        self.place = match.end()
-        return match[1], match.start(1)
-
-    def _at_end(self) -> bool:
-        gap = _GAP.match(self.data, self.place)
-        assert gap is not None
-        self.place = gap.end()
-        return self.place == len(self.data)
-
-    def _refuse(self, reason: str, place: int) -> NoReturn:
-        raise FormatError(f"path data, character {place + 1}: {reason}")
+def _add(p: Point, q: Point) -> Point:
+    return Point(p.x + q.x, p.y + q.y)
 
 
 def make_elliptic_arc(
