@@ -1,4 +1,4 @@
-"""The command line `exactsweep`: one module per command."""
+"""The command line `exactsweep`, with one module per command."""
 
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
@@ -29,7 +29,7 @@ _NAMES = (
     ),
     *("judge", "layout", "lesson", "nfp", "overlap", "reproduce", "sum", "sweep", "verify", "view"),
 )
-# Maximum length of a usage error, which repeats the argument.
+# Maximum length of a usage error, which quotes the argument.
 _LONGEST = 1000
 
 
@@ -58,10 +58,10 @@ def _load(name: str) -> click.Command:
 
 
 class _Commands(click.Group):
-    """Commands that report an error in one line on standard error, with exit code 1."""
+    """A group of commands that report errors in one line on standard error, with exit code 1."""
 
     def make_context(self, *arguments: Any, **options: Any) -> click.Context:
-        # --help and --version write here.
+        # --help and --version are handled here.
         with _report_in_one_line():
             return super().make_context(*arguments, **options)
 
@@ -74,7 +74,7 @@ class _Commands(click.Group):
     ) -> tuple[str | None, click.Command | None, list[str]]:
         name = args[0]
         if name not in _NAMES and ("." in name or "/" in name):
-            ctx.fail(f"{name!r} is a file; a command goes before it, as in 'exactsweep sweep A B'.")
+            ctx.fail(f"{name!r} is a file; a command comes first, as in 'exactsweep sweep A B'.")
         return super().resolve_command(ctx, args)
 
 
@@ -101,7 +101,7 @@ def _report_in_one_line() -> Iterator[None]:
         place = "" if error.filename is None else f"{show_path(str(error.filename))}: "
         raise click.ClickException(f"{place}{error.strerror or error}") from None
     except MemoryError as error:
-        # Release the locals of the failed functions: the message needs memory.
+        # Printing the message needs memory, so release the locals of the failed functions.
         clear_frames(error.__traceback__)
         raise click.ClickException("out of memory") from None
 
@@ -113,4 +113,4 @@ def _report_in_one_line() -> Iterator[None]:
 )
 @click.version_option(__version__, prog_name="exactsweep")
 def main() -> None:
-    """Sweep polygons around polygons in exact arithmetic."""
+    """Compute sweeps, no-fit polygons and layouts in exact arithmetic."""

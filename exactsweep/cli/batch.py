@@ -1,4 +1,4 @@
-"""`exactsweep batch`."""
+"""The command `exactsweep batch`."""
 
 from __future__ import annotations
 
@@ -51,7 +51,7 @@ def _to_degrees(text: str) -> list[str]:
     nargs=2,
     type=PATH,
     metavar="GENERATRICES DIRECTRICES",
-    help="Sweep all pairs of polygons of two files, folders or patterns such as 'parts/*.dxf'.",
+    help="Sweep all pairs of polygons from two files, folders or patterns such as 'parts/*.dxf'.",
 )
 @takes_file("--parts", "File with the polygons that PAIRS refers to by name.")
 @click.option(
@@ -71,13 +71,13 @@ def _to_degrees(text: str) -> list[str]:
     "--rotations",
     callback=checked(_to_degrees),
     metavar="DEGREES",
-    help="With --all: rotate each generatrix by these degrees, such as 0,90,180,270. For angles "
-    "with irrational cosines, standard error states the rational approximation.",
+    help="With --all: rotate each generatrix by these degrees, such as 0,90,180,270. If the cosine "
+    "of an angle is irrational, standard error states the rational approximation.",
 )
 @click.option("--restart", is_flag=True, help="Discard the records of an interrupted batch.")
 @takes_rounding
 @takes_reading
-@requires_output("Output file: one line of JSON per record, or a table in .parquet or .csv.")
+@requires_output("Output file: JSON lines (.jsonl), or a table (.parquet or .csv).")
 def batch_command(
     pairs: str | None,
     lists: tuple[str, str] | None,
@@ -95,15 +95,16 @@ def batch_command(
 
     PAIRS has one line of JSON per pair, {"generatrix": ..., "directrix": ...}, optionally with
     "id", "direction" and "reference". A polygon is any JSON that 'exactsweep sweep' reads, or the
-    name of a polygon of --parts. With --all instead, the command sweeps each polygon of
-    GENERATRICES around each of DIRECTRICES. A folder means all files in it; polygons are named by
-    file, layer and id. Standard error lists skipped elements.
+    name of a polygon in --parts. With --all, each polygon of GENERATRICES is swept around each of
+    DIRECTRICES. A folder stands for all files in it. Polygons are named by file, layer and id.
+    Standard error lists skipped elements.
 
-    --round rounds all numbers to decimals, and --round-outward so that no loop permits an overlap.
-    A record of --compute nfp is that of 'exactsweep nfp --json'; the generatrix orbits.
+    --round rounds all numbers to decimals; --round-outward rounds them so that no loop permits an
+    overlap. Records of --compute nfp are those of 'exactsweep nfp --json', with the generatrix as
+    the orbiting polygon.
 
-    Records have the order of the pairs. The record of a rejected pair has the reason. After an
-    interruption of any kind, the same command resumes the batch; until it is complete, the records
+    Records are in the order of the pairs; for a rejected pair, the record states the reason. After
+    any interruption, the same command resumes the batch. Until the batch is complete, the records
     are in FILE.part. The exit code is 1 if all pairs are rejected.
 
     Example:
@@ -120,7 +121,7 @@ def batch_command(
         raise click.UsageError("--rotations needs --all.")
     if "-" in (pairs, output):
         raise click.UsageError(
-            "PAIRS and the output must be files, so that a batch can be resumed."
+            "PAIRS and the output must be files, so that the batch can be resumed."
         )
     from exactsweep.batch import run, take_all_pairs, take_listed_pairs
     from exactsweep.batch.parts import rotate_parts
@@ -169,16 +170,16 @@ def batch_command(
     if output.endswith(".jsonl"):
         report_limit(max(measure_file(output), FAULT * summary.refused), output)
     if summary.pairs and summary.refused == summary.pairs:
-        raise click.ClickException(f"all pairs were refused; {show_path(output)} says why")
+        raise click.ClickException(f"all pairs were refused; {show_path(output)} has the reasons")
 
 
 def _require_new(output: str, paths: Sequence[str]) -> None:
-    """Reject an output that is also an input."""
+    """Reject an output file that is also an input."""
     files = (file for path in paths for file in find_files(split_choice(path)[0]))
     read = {os.path.realpath(file) for file in files if file != "-"}
     for name in (output, f"{output}.part", f"{output}.job"):
         if os.path.realpath(name) in read:
-            raise FormatError(f"{show_path(name)}: read and written by the same batch")
+            raise FormatError(f"{show_path(name)}: is both input and output of this batch")
 
 
 def _parts(path: str, reading: ReadingOptions) -> Sequence[Part]:

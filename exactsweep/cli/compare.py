@@ -1,4 +1,4 @@
-"""`exactsweep compare`."""
+"""The command `exactsweep compare`."""
 
 from __future__ import annotations
 
@@ -27,11 +27,11 @@ def compare_command(
 ) -> None:
     """Compare an answer with the exact one.
 
-    CASE is the id of a case of the corpus, or a file with a case or with a pair of polygons as
-    'exactsweep sweep --json' writes it. RESULT is a file, or - for standard input: a JSON object
-    with any of "trajectory", "inner" and "outer", each a ring or a list of rings, and
-    "exact_fits", a list of pairs of points. A number is an integer, a decimal, which stands for the
-    nearest binary64, or a string such as "-7/2".
+    CASE is the id of a corpus case, or a file with a case, or with a pair of polygons as written by
+    'exactsweep sweep --json'. RESULT is a file, or - for standard input: a JSON object with any of
+    "trajectory", "inner" and "outer", each a ring or a list of rings, and "exact_fits", a list of
+    pairs of points. Numbers are integers, decimals, which stand for the nearest binary64, or
+    strings such as "-7/2".
 
     \b
     Verdicts; the worst part of the answer decides:
@@ -43,12 +43,12 @@ def compare_command(
       conservative   misses free positions, permits no overlap
       unsound        permits overlap
       wrong          both
-      malformed      no region: nan, too few vertices, edges that cross, ...
+      malformed      not a region: nan, too few vertices, crossing edges, ...
       unsupported    nothing to compare
       undecided      not compared within 60 CPU seconds
 
-    For each part, the report has the distance of the loops, the area between them, and a place to
-    check by hand. The exit code is 0 for a verdict no worse than --accept, and 1 otherwise.
+    The report states, for each part, the distance of the loops, the area between them, and a place
+    to check by hand. The exit code is 0 if the verdict is no worse than --accept, and 1 otherwise.
 
     Example:
       exactsweep compare directions-y answer.json

@@ -10,7 +10,7 @@ import click
 from click.shell_completion import CompletionItem
 
 Offer = Callable[[click.Context, click.Parameter, str], list[CompletionItem]]
-"""A completion function of click."""
+"""A click completion function."""
 
 
 CASES = "exactsweep.corpus.shipped:list_ids"
@@ -18,21 +18,19 @@ THEMES = "exactsweep.corpus:themes"
 FLAGS = "exactsweep.corpus:notes"
 FAMILIES = "exactsweep.corpus:FAMILIES"
 CLASSES = "exactsweep.corpus.case:KINDS"
-"""Import paths of names, or of functions that list them, resolved when Tab is pressed."""
+"""Import paths of names, or of functions that list them, resolved when the user presses Tab."""
 
 Source = str | Callable[[], Iterable[str]]
 """An import path, or a function that lists names."""
 
 
 def list_names(source: Source) -> Iterable[str]:
-    """List the names of a source."""
     found = resolve_name(source) if isinstance(source, str) else source
     names: Iterable[str] = found() if callable(found) else found
     return names
 
 
 def list_claims() -> Iterable[str]:
-    """List the claims of the paper."""
     from exactsweep.paper.ledger import CLAIMS
 
     return [claim.name for claim in CLAIMS]
@@ -54,11 +52,7 @@ def list_filters() -> Iterable[str]:
 
 
 def offer(*sources: Source, files: bool = False) -> Offer:
-    """Make a completion function.
-
-    Args:
-        sources: the names.
-        files: whether to complete files, too.
+    """Make a completion function for names, and optionally for files.
 
     Example:
         >>> found = offer(CLASSES)(click.Context(click.Command("")), click.Option(["-c"]), "C")
@@ -81,6 +75,6 @@ def offer(*sources: Source, files: bool = False) -> Offer:
 
 
 def _escape(name: str) -> str:
-    # Only bash leaves this to the program.
+    # Other shells escape names themselves.
     is_bash = os.environ.get("_EXACTSWEEP_COMPLETE", "").startswith("bash")
     return name.replace(" ", "\\ ") if is_bash else name

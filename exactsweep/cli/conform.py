@@ -1,4 +1,4 @@
-"""`exactsweep conform`."""
+"""The command `exactsweep conform`."""
 
 from __future__ import annotations
 
@@ -22,14 +22,14 @@ from exactsweep.formats import FormatError
 
 
 def _refuse_nan(seconds: float) -> float:
-    """Reject nan, which every range accepts."""
+    """Reject nan, which passes every range check."""
     if isnan(seconds):
         raise FormatError("nan is not a number of seconds.")
     return seconds
 
 
 class _ProgramCommand(click.Command):
-    """A command whose own options end where the program to run begins."""
+    """A command whose own options must precede the program to run."""
 
     def parse_args(self, ctx: click.Context, args: list[str]) -> list[str]:
         """Reject options of this command after the program, unless -- separates them."""
@@ -42,8 +42,8 @@ class _ProgramCommand(click.Command):
             name = word.partition("=")[0]
             if name in own:
                 raise click.UsageError(
-                    f"{name} follows the program, which would get it. Write it before "
-                    f"{program[0]}; or, if it is for the program, write -- before {program[0]}."
+                    f"{name} after the program would be passed to it. Move it before "
+                    f"{program[0]}; or, if it is meant for the program, put -- before {program[0]}."
                 )
         return rest
 
@@ -57,13 +57,13 @@ class _ProgramCommand(click.Command):
     metavar="NAME=VALUE",
     shell_complete=offer(list_filters),
     help="Select cases: id=PREFIX, flag=NAME, class=CC (CM, MM, SS), size=MAXIMUM of vertices. "
-    "Repeatable: any of the ids and classes, all flags.",
+    "Repeatable: cases match any of the ids and classes, and all flags.",
 )
 @takes_file("--cases path", "Cases as JSON lines; default: the corpus.")
 @takes_file(
     "--pairs",
-    "Your own polygons in any format, all pairs of them; or lines of JSON with a directrix and a "
-    "generatrix. The command computes the exact answers.",
+    "Your own polygons in any format, to test all pairs of them; or lines of JSON with a directrix "
+    "and a generatrix. Exact answers are computed.",
 )
 @takes_reading
 @click.option(
@@ -72,7 +72,7 @@ class _ProgramCommand(click.Command):
     callback=checked(_refuse_nan),
     default=10.0,
     metavar="SECONDS",
-    help="Time limit for one answer; default: 10.",
+    help="Time limit per answer; default: 10.",
 )
 @click.option(
     "--workers",
@@ -86,7 +86,7 @@ class _ProgramCommand(click.Command):
     "most_memory",
     type=click.IntRange(min=1),
     metavar="MIB",
-    help="Memory limit of the program and its descendants; default: none.",
+    help="Memory limit for the program and its descendants; default: none.",
 )
 @takes_file("--journal", "Record each outcome as it arrives.")
 @click.option("--resume", is_flag=True, help="Resume the run of the journal.")
@@ -95,7 +95,7 @@ class _ProgramCommand(click.Command):
     type=click.IntRange(min=0),
     default=1,
     metavar="N",
-    help="Shrink N failures of each fault, for --html and --json; default: 1.",
+    help="Shrink N failures of each fault for --html and --json; default: 1.",
 )
 @takes_rounding
 @takes_reports
@@ -116,13 +116,13 @@ def conform_command(
 ) -> None:
     """Judge a program by exact answers.
 
-    Runs COMMAND with its arguments. It reads one JSON case per line on standard input and writes
-    one JSON result per line on standard output; exactsweep/conform/PROTOCOL.md describes the
-    protocol. Options of 'exactsweep conform' come before COMMAND, separated by --.
+    Runs COMMAND with its arguments. The program reads one JSON case per line on standard input and
+    writes one JSON result per line on standard output; exactsweep/conform/PROTOCOL.md describes the
+    protocol. Options of 'exactsweep conform' come before COMMAND, optionally separated by --.
 
     Prints the number of cases by class, flag and verdict, and each fault with its smallest case.
     The exit code is 0 if no verdict is worse than --accept, the program exits normally, and enough
-    cases are judged; and 1 otherwise.
+    cases are judged; otherwise it is 1.
 
     Example:
       exactsweep conform --filter class=CC -- python adapter.py

@@ -1,4 +1,4 @@
-"""`exactsweep convert`."""
+"""The command `exactsweep convert`."""
 
 from pathlib import PurePath
 
@@ -24,12 +24,12 @@ from exactsweep.words import count
     "--to",
     "form",
     type=click.Choice(FORMATS),
-    help="Output format; default: the suffix of the output.",
+    help="Output format; default: by the suffix of the output.",
 )
 @click.option(
     "--free",
     is_flag=True,
-    help="With --round-outward: the polygons are free regions, which shrink.",
+    help="With --round-outward: the polygons are free regions, so they shrink.",
 )
 @takes_rounding
 @takes_reading
@@ -48,8 +48,8 @@ def convert_command(
     folders and patterns such as 'parts/*.dxf'. Standard error lists skipped elements; the exit code
     is 1 if no polygon remains.
 
-    The conversion is exact. WKT, GeoJSON, SVG and DXF hold finite decimals only, so 1/3 needs
-    --round. In DXF, holes become polylines like the exterior.
+    The conversion is exact. WKT, GeoJSON, SVG and DXF can only represent finite decimals, so 1/3
+    needs --round. In DXF, holes become polylines like the exterior.
 
     Example:
       exactsweep convert drawing.dxf --flatten 1/100 --join 1e-6 --unit mm -o parts.json
@@ -61,7 +61,7 @@ def convert_command(
         raise click.UsageError(f"Give a format: --to {', '.join(FORMATS)}.")
     polygons = read_named(files, reading, keep=True)
     keep_coordinates(polygons.coordinates)
-    # Without --round-outward, either side will do.
+    # Without --round-outward, either side is acceptable.
     side: Side = "closest"
     if rounding is not None and rounding.outward:
         side = "inward" if free else "outward"
@@ -72,6 +72,6 @@ def convert_command(
     holes = sum(len(polygon.region.holes) for polygon in polygons)
     if form == "dxf" and holes:
         click.echo(
-            f"{count(holes, 'hole')} written as closed polylines, which --nested reads as holes",
+            f"{count(holes, 'hole')} written as closed polylines; read them with --nested",
             err=True,
         )

@@ -1,4 +1,4 @@
-"""`exactsweep corpus`."""
+"""The command `exactsweep corpus`."""
 
 from __future__ import annotations
 
@@ -52,7 +52,7 @@ _takes_filters = gather(
     ),
     click.option("--max-size", type=click.IntRange(min=0), help="Maximum number of vertices."),
 )
-"""Decorator: the options that select cases, as `filters`, arguments of `cases`."""
+"""Decorator: the options that select cases, as `filters`, keyword arguments of `cases`."""
 
 
 def _is_any(filters: dict[str, Any]) -> bool:
@@ -66,14 +66,14 @@ def _is_any(filters: dict[str, Any]) -> bool:
     metavar="[themes|flags|families|ID]...",
     shell_complete=offer(lambda: ["themes", "flags", "families"], complete.THEMES, complete.CASES),
 )
-# An alias of older versions.
+# An alias for older scripts.
 @click.option("--prefix", hidden=True)
 @_takes_filters
 def list_command(names: tuple[str, ...], prefix: str | None, filters: dict[str, Any]) -> None:
-    """List cases, a line each; or themes, flags, or families of the generator.
+    """List cases; or themes, flags, or families of the generator.
 
-    An ID is that of a case, or a prefix of ids, such as a theme. A line has the id, the class, the
-    number of vertices of D and G together, and the title.
+    ID is the id of a case, or a prefix of ids such as a theme. Each line has the id, the class, the
+    number of vertices of D and G in total, and the title.
 
     Example:
       exactsweep corpus list --class MM --max-size 20
@@ -85,7 +85,7 @@ def list_command(names: tuple[str, ...], prefix: str | None, filters: dict[str, 
     what = names[0] if len(names) == 1 and names[0] in _LISTS else "cases"
     starts = [prefix or ""] if names in ((), ("cases",)) else names
     if what != "cases" and (prefix or _is_any(filters)):
-        raise click.UsageError("The options select cases only.")
+        raise click.UsageError("The options are only for cases.")
     match what:
         case "themes":
             rows: Iterable[tuple[str, ...]] = themes().items()
@@ -110,9 +110,9 @@ def list_command(names: tuple[str, ...], prefix: str | None, filters: dict[str, 
 )
 @click.option("--json", "as_json", is_flag=True, help="Write the case as one line of JSON.")
 def show_command(name: str, as_json: bool) -> None:
-    """Show a case with the notes on its flags, a flag, or a family of the generator.
+    """Show a case with notes on its flags, a flag, or a family of the generator.
 
-    The id is that of a shipped case, or gen-FAMILY-SEED-NUMBER of a generated one.
+    The id is that of a case of the corpus, or gen-FAMILY-SEED-NUMBER for a generated case.
 
     Example:
       exactsweep corpus show directions-y
@@ -130,7 +130,7 @@ def show_command(name: str, as_json: bool) -> None:
     "--json", "as_json", is_flag=True, help="Write layouts with their expected faults as JSON."
 )
 def layouts_command(name: str | None, as_json: bool) -> None:
-    """List layouts with known faults, or write one by its id.
+    """List layouts with known faults, or write one of them.
 
     Example:
       exactsweep corpus layouts
@@ -155,7 +155,7 @@ def layouts_command(name: str | None, as_json: bool) -> None:
 @click.argument("name", required=False, metavar="[ID]")
 @click.option("--json", "as_json", is_flag=True, help="Write shapes, paths and sums as JSON.")
 def paths_command(name: str | None, as_json: bool) -> None:
-    """List Minkowski sums of a shape and a path, or write one by its id as JSON.
+    """List Minkowski sums of a shape and a path, or write one of them as JSON.
 
     Example:
       exactsweep corpus paths
@@ -188,17 +188,16 @@ def paths_command(name: str | None, as_json: bool) -> None:
 def export_command(names: tuple[str, ...], filters: dict[str, Any], form: str, output: str) -> None:
     """Write cases for other programs.
 
-    An ID names a case, gen-FAMILY-SEED-NUMBER a generated one, and a prefix of ids, such as a
-    theme, all cases whose ids begin with it. The options select from these, or from all shipped
-    cases without an ID.
+    ID is the id of a case, gen-FAMILY-SEED-NUMBER for a generated case, or a prefix of ids such as
+    a theme. Without ID, all cases of the corpus are written. The options filter them.
 
-    json: one case per line, exact; 'exactsweep corpus schema' describes it.
+    json: one case per line, exact; for the format see 'exactsweep corpus schema'.
 
     wkt: comma-separated values, one ring or segment per row. If a coordinate is not a finite
-    decimal, the row has the reason instead of the geometry.
+    decimal, the row states this instead of the geometry.
 
-    geojson: a FeatureCollection, one ring or segment per feature. If a coordinate is not a double,
-    the feature has "exact": false, the nearest doubles, and the exact vertices as strings.
+    geojson: a FeatureCollection with one ring or segment per feature. If a coordinate is not a
+    double, the feature has "exact": false, the nearest doubles, and the exact vertices as strings.
 
     svg: a sheet of small pictures.
 
@@ -224,9 +223,9 @@ def export_command(names: tuple[str, ...], filters: dict[str, Any], form: str, o
 def release_command(output: str) -> None:
     """Write the corpus as a folder of data for programs in any language.
 
-    The folder, by default exactsweep-corpus-VERSION, has the cases as JSON lines by theme, the
-    schema, a description, readers in six languages, the changelog, the licence, and checksums. A
-    version never changes: later ones only add cases.
+    The folder, by default exactsweep-corpus-VERSION, contains the cases as JSON lines by theme, the
+    schema, a description, readers in six languages, the changelog, the license, and checksums. A
+    published version never changes; new versions only add cases.
 
     Example:
       exactsweep corpus release -o answers
@@ -248,10 +247,10 @@ def release_command(output: str) -> None:
 @click.option("--seed", type=click.IntRange(min=0), default=0, help="Seed; default: 0.")
 @click.option("--count", type=click.IntRange(min=0), required=True, help="Number of cases.")
 def generate_command(families: tuple[str, ...], seed: int, count: int) -> None:
-    """Generate cases, one line of JSON each.
+    """Generate cases as JSON lines.
 
-    The cases depend on family and seed only, not on the machine or the version of Python. Several
-    families alternate. 'exactsweep corpus list families' lists them.
+    The cases depend only on family and seed, not on the machine or the Python version. Several
+    families alternate. 'exactsweep corpus list families' lists the families.
 
     Example:
       exactsweep corpus generate --family notched --seed 1 --count 100
@@ -277,7 +276,7 @@ def schema_command() -> None:
 
 
 def _choose(names: tuple[str, ...], filters: dict[str, Any]) -> Iterator[Case]:
-    """Return the cases of these names, lazily; wrong names fail immediately."""
+    """Return the named cases, lazily; wrong names raise an error immediately."""
     from exactsweep.corpus import cases, find_case
     from exactsweep.corpus.shipped import list_ids, require_start
 

@@ -1,4 +1,4 @@
-"""`exactsweep draw`."""
+"""The command `exactsweep draw`."""
 
 from collections.abc import Callable
 
@@ -51,15 +51,16 @@ def draw_command(
     size: tuple[float, float] | None,
     output: str,
 ) -> None:
-    """Draw a sweep.
+    """Draw a sweep, a no-fit polygon or an inner fit.
 
-    The picture shows both polygons, the inner and the outer loop, the trajectory in a colour for
-    each contact event, hatched undercuts, exact fits, and the generatrix at each --position, or by
-    default at positions that close undercuts, in exact fits and at the first vertex. Tiny polygons
-    and flat pictures get enlarged details below.
+    The picture of a sweep shows both polygons, the inner and the outer loop, the trajectory in one
+    color per contact event, hatched undercuts, exact fits, and the generatrix. The generatrix is
+    drawn at each --position; by default, at positions that close undercuts, in exact fits and at
+    the first vertex. For tiny polygons and flat pictures, enlarged details are below.
 
-    The picture of a no-fit polygon or an inner fit shows all loops, free regions filled, and exact
-    fits. The command reads files as 'exactsweep sweep' does; without files, it draws the example.
+    The picture of a no-fit polygon or an inner fit shows all loops, free regions and exact fits.
+
+    Files are read as in 'exactsweep sweep'; without files, the command draws the example.
 
     Example:
       exactsweep draw house.json block.wkt --position 13/5 13/5 -o block.svg
@@ -74,7 +75,7 @@ def draw_command(
         plot: Callable[..., object] = plot_sweep if isinstance(result, Sweep) else plot_positions
         plot(result, axes, positions=positions or None, y_down=y_down)
     if title:
-        # Fonts lack unprintable characters, and a dollar would begin a formula.
+        # Fonts lack unprintable characters, and a dollar sign starts a formula.
         axes.set_title(spell_out(title).replace("$", r"\$"), loc="left")
     with name_failures(output), working("drawing"), replace_file(output) as path:
         save(figure, path)

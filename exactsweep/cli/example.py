@@ -1,4 +1,4 @@
-"""`exactsweep example`."""
+"""The command `exactsweep example`."""
 
 from __future__ import annotations
 
@@ -17,8 +17,8 @@ from exactsweep.formats import FormatError, show_path
 def example_command(name: str | None, output: str) -> None:
     """Write a template program for 'exactsweep conform'.
 
-    Each template speaks the protocol and has one function to replace with your own; its head says
-    how to build it. Without NAME, the command lists the templates.
+    A template implements the protocol and has one function to replace; comments at the top explain
+    how to build it. Without NAME, lists the templates.
 
     Example:
       exactsweep example

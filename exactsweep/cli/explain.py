@@ -1,4 +1,4 @@
-"""`exactsweep explain`."""
+"""The command `exactsweep explain`."""
 
 import click
 
@@ -14,14 +14,14 @@ from exactsweep.cli.working import working
 @click.option("--json", "as_json", is_flag=True, help="Write the steps as exact JSON.")
 @takes_output
 def explain_command(result: Sweep, as_json: bool, output: str) -> None:
-    """Explain a sweep, step by step.
+    """Explain a sweep step by step.
 
-    A step is an edge of the trajectory. The explanation gives its direction and ends, the features
-    in contact, the reason for its end, and the undercuts and exact fits on the way. Then it
-    describes the holes of the no-fit polygon and the exact fits, with their contacts. Vertices and
-    edges have their index in the files; edge i runs from vertex i to the next.
+    Each edge of the trajectory is a step. The explanation states its direction and ends, the
+    features in contact, the reason for its end, and the undercuts and exact fits along it. Then it
+    describes the holes of the no-fit polygon and the exact fits. Vertices and edges are numbered as
+    in the files; edge i runs from vertex i to the next.
 
-    The command reads files as 'exactsweep sweep' does; without files, it explains the example.
+    Files are read as in 'exactsweep sweep'; without files, the command explains the example.
 
     Example:
       exactsweep explain house.json block.wkt

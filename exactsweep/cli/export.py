@@ -1,4 +1,4 @@
-"""Results as polygons in a format, rounded on request, with a report of the rounding."""
+"""Output of results as polygons, with optional rounding and a report of the changes."""
 
 from collections.abc import Callable, Iterator, Sequence
 from fractions import Fraction
@@ -42,13 +42,13 @@ takes_rounding = gather(
         "result provably permits no overlap.",
     ),
 )
-"""Decorator: --round and --round-outward, as `rounding`; None without them."""
+"""Decorator: --round and --round-outward, as `rounding`, or None without them."""
 
 takes_format = click.option(
     "--to",
     "target",
     type=click.Choice(FORMATS),
-    help="Write the polygons of the result in this format; default: the suffix of -o. "
+    help="Write the polygons of the result in this format; default: by the suffix of -o. "
     "'--to json' is the same as '--json'.",
 )
 """Decorator: --to FORMAT, as `target`."""
@@ -64,19 +64,19 @@ def export(
 ) -> None:
     """Write polygons and exact fits; report on standard error what rounding changed.
 
-    The Y axis is flipped if its direction differs from that of the input; the unit is kept.
+    Flips the Y axis if the format has another direction than the input; keeps the unit.
 
     Args:
         regions: the polygons.
         fits: the exact fits.
         target: one of FORMATS.
-        rounding: how to round; None for exact output.
+        rounding: the rounding, or None for exact output.
         output: a file, or "-".
         side_of: returns "outward" for a forbidden region, "inward" for a free one, and "closest"
-            for one that may move either way.
+            for others.
 
     Raises:
-        FormatError: the format cannot hold a coordinate, or rounding leaves nothing.
+        FormatError: the format cannot represent a coordinate, or rounding leaves nothing.
     """
     said: list[str] = []
     has_error = any(region.error for region in regions)
@@ -101,7 +101,7 @@ def export(
         regions, fits = rounded, ends
     coordinates = coordinates_of_files()
     if target not in ("svg", "dxf") and click.get_current_context().params.get("y_down"):
-        # These formats do not define the direction of Y; --y-down did.
+        # These formats do not define the direction of Y, so --y-down applies to the output as well.
         coordinates = coordinates._replace(y_down=False)
     try:
         decimals = rounding is not None
@@ -122,10 +122,10 @@ def export(
 def enlarge(
     regions: Sequence[NamedRegion], side_of: Callable[[NamedRegion], Side]
 ) -> Iterator[NamedRegion]:
-    """Offset boundaries by the errors of curves, so that the result holds for the curves, too.
+    """Offset boundaries by the errors of curves, so that the result holds for the exact curves.
 
-    Forbidden regions grow by the Minkowski sum with an octagon around a disc of the error; free
-    regions shrink by the erosion.
+    Forbidden regions grow by the Minkowski sum with an octagon around a disc whose radius is the
+    error; free regions shrink by the erosion.
     """
     from exactsweep import Region, inner_fit_polygon, no_fit_polygon
 
@@ -134,7 +134,7 @@ def enlarge(
         if side == "closest" or not e:
             yield one
             continue
-        # The sides are at least e from the center, for (1 + 5/12)**2 > 2.
+        # The sides are at distance e or more from the center, since (1 + 5/12)**2 > 2.
         f = e * Fraction(5, 12)
         octagon = [(e, f), (f, e), (-f, e), (-e, f), (-e, -f), (-f, -e), (f, -e), (e, -f)]
         if side == "outward":
@@ -165,7 +165,7 @@ def _is_safe(
 
 
 def _say(changes: Changes, moved: int, rounding: Rounding, is_safe: bool) -> str:
-    """Describe in one line what rounding changed; "" if nothing."""
+    """Describe in one line what rounding changed; return "" if nothing changed."""
     if not changes.changed and not moved:
         return ""
     parts = [f"rounded: {count(changes.changed, 'polygon')}"]

@@ -1,4 +1,4 @@
-"""Help pages: examples last, and one page for the options for reading files."""
+"""Help pages, with examples at the end and a page on the options for reading files."""
 
 from inspect import cleandoc
 
@@ -9,7 +9,7 @@ from exactsweep.words import suggest
 
 
 class ReadingOption(click.Option):
-    """An option for reading files, listed by `exactsweep help reading`."""
+    """An option for reading files, described by `exactsweep help reading`."""
 
     def get_help_record(self, ctx: click.Context) -> None:
         """Hide the option in the help of a command."""
@@ -35,7 +35,7 @@ def add_examples(command: click.Command) -> None:
 
 
 def name_reading_options(command: click.Command) -> None:
-    """List the options for reading files in one line of the help of each command."""
+    """Add a line that names the options for reading files to the help of a command."""
     if isinstance(command, click.Group):
         for inner in command.commands.values():
             name_reading_options(inner)
@@ -52,7 +52,7 @@ def name_reading_options(command: click.Command) -> None:
 def help_command(ctx: click.Context, topic: str | None) -> None:
     """Show the help of a command, or of the options for reading files.
 
-    TOPIC is the name of a command, or 'reading'; without it, the command lists all commands.
+    TOPIC is a command, or 'reading'. Without TOPIC, lists all commands.
 
     Example:
       exactsweep help reading
@@ -74,7 +74,7 @@ def help_command(ctx: click.Context, topic: str | None) -> None:
 
 
 def _describe_reading(group: click.Group, ctx: click.Context) -> str:
-    """Describe the options for reading files, as `convert` has them."""
+    """Describe the options for reading files, taken from `convert`."""
     command = group.get_command(ctx, "convert")
     assert command
     formatter = ctx.make_formatter()

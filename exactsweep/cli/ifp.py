@@ -1,4 +1,4 @@
-"""`exactsweep ifp`."""
+"""The command `exactsweep ifp`."""
 
 import json
 
@@ -37,17 +37,17 @@ def ifp_command(
 
         exactsweep ifp CONTAINER PART            first stays, second moves
 
-    With --placed, PART also avoids the polygons of further files, where they are, or all placed
-    parts of a layout. With --turns or --mirrored, the report and --json have one line per pose.
+    With --placed, PART also avoids the polygons of other files, or all placed parts of a layout.
+    With --turns or --mirrored, the report and --json have one line per pose.
 
-    PART may be a group of an SVG file, as FILE#group: its outlines then move together. Holes of
-    CONTAINER are defects, which PART avoids. The answer consists of regions of positions,
-    possibly with holes, and of exact fits, where CONTAINER is exactly as wide as PART. It is empty
-    if PART does not fit.
+    PART may be a group of an SVG file, as FILE#group, whose outlines move together. Holes of
+    CONTAINER are defects, which PART avoids. The answer consists of regions of positions, possibly
+    with holes, and of exact fits, where CONTAINER is exactly as wide as PART. It is empty if PART
+    does not fit.
 
-    The command reads files as 'exactsweep sweep' does. --wkt writes a POLYGON for each region and a
-    LINESTRING or POINT for each exact fit, or POLYGON EMPTY if there are none. It requires
-    coordinates that are finite decimals.
+    Files are read as in 'exactsweep sweep'. --wkt writes a POLYGON for each region and a LINESTRING
+    or POINT for each exact fit, or POLYGON EMPTY if there are none. It requires coordinates that
+    are finite decimals.
 
     Example:
       exactsweep ifp sheet.json part.wkt
@@ -69,7 +69,7 @@ def ifp_command(
             at = pose.place_point(reference)
             first, *others = map(pose.place, (part, *attached))
             found.append(free_positions(container, placed, first, reference=at, attached=others))
-            # Computed on first access: here, for the progress.
+            # Results are computed on first access; do this here to show progress.
             _ = found[-1].regions
     if form.kind == "json":
         lines = (
@@ -83,7 +83,7 @@ def ifp_command(
 
 
 def _list(poses: list[Pose], found: list[InnerFit], output: str) -> str:
-    """Make a table with a row for each pose, with the lowest leftmost position."""
+    """Return a table with a row for each pose, including its leftmost position."""
     numbers = ("regions", "exact fits", "area about")
     table = make_table(("turn", "fits", *numbers, "leftmost position"), numbers)
     for pose, fit in zip(poses, found, strict=True):

@@ -1,4 +1,4 @@
-"""`exactsweep judge`."""
+"""The command `exactsweep judge`."""
 
 from __future__ import annotations
 
@@ -12,18 +12,18 @@ from exactsweep.formats.files import open_bytes
 
 
 @click.command("judge")
-@takes_file("--cases path", "Cases as JSON lines; default: the corpus and generated cases, by id.")
+@takes_file("--cases path", "Cases as JSON lines; default: the corpus and generated cases.")
 @takes_reports
 def judge_command(path: str | None, reports: Reports) -> None:
-    """Judge answers in a pipe by exact answers.
+    """Judge answers from a pipe.
 
-    Reads the output of a program that speaks the protocol of 'exactsweep conform' from standard
-    input: its hello, then one JSON result per line. An example is
+    Reads the output of a program that implements the protocol of 'exactsweep conform' from standard
+    input: its hello, then one JSON result per line. For example:
     'exactsweep corpus generate --count 100 | COMMAND | exactsweep judge'.
 
     Prints the number of cases by class, flag and verdict, and each fault with its smallest case.
     The exit code is 0 if no verdict is worse than --accept, every line is an answer, and enough
-    cases were judged; otherwise 1.
+    cases are judged; otherwise it is 1.
 
     Example:
       exactsweep judge --cases cases.jsonl
@@ -34,7 +34,7 @@ def judge_command(path: str | None, reports: Reports) -> None:
     from exactsweep.corpus.selection import read_cases, require_distinct
 
     if path == "-":
-        raise click.UsageError("Standard input has the answers; give the cases as a file.")
+        raise click.UsageError("Standard input contains the answers; give the cases as a file.")
     cases: dict[str, Case] = {}
 
     def find(id: str) -> Case:

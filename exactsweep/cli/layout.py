@@ -1,4 +1,4 @@
-"""`exactsweep layout`."""
+"""The command `exactsweep layout`."""
 
 from __future__ import annotations
 
@@ -81,16 +81,16 @@ class _Wanted(NamedTuple):
 @click.argument("files", nargs=-1, required=True, type=PATH)
 @takes_file(
     "--instance",
-    "The instance of a solution, with its parts, their quantities and their allowed rotations; or "
-    "a drawing, a file or a folder of parts, each to be placed once.",
+    "The instance of a solution, with its parts, their quantities and allowed rotations; or a "
+    "drawing, a file or a folder of parts, each of which is to be placed once.",
 )
 @gather(
     "table",
     _TableOptions,
     takes_file(
         "--part",
-        "The parts of a table of placements: any file of polygons, Layout JSON, or FILE#GROUP, the "
-        "outlines of a group of SVG as one part.",
+        "The parts of a table of placements: any file with polygons, Layout JSON, or FILE#GROUP "
+        "for the outlines of an SVG group as one part.",
     ),
     click.option(
         "--turns-in",
@@ -133,7 +133,7 @@ class _Wanted(NamedTuple):
         "--accept",
         callback=checked(to_gap),
         metavar="DEPTH",
-        help="Accept overlaps up to this depth, and distances too small by up to this amount.",
+        help="Accept overlaps up to this depth, and distances too small by at most this amount.",
     ),
     click.option("--strict", is_flag=True, help="Exit with 3 if a rule of the file is not judged."),
 )
@@ -145,15 +145,15 @@ class _Wanted(NamedTuple):
     click.option("--all", "everything", is_flag=True, help="List all faults."),
     takes_file(
         "--certificate",
-        "Write a certificate, with which 'exactsweep verify' proves the verdict.",
+        "Write a certificate, for 'exactsweep verify'.",
     ),
     takes_file("--html", "Write a page with pictures of faults."),
     takes_file("--svg", "Write a picture with enlarged faults below."),
-    takes_file("--repair", "Write the layout, made valid by small moves, as Layout JSON."),
+    takes_file("--repair", "Write a layout repaired by small moves, as Layout JSON."),
     takes_file(
         "--shrink",
-        "Write a valid layout with its container shrunk as far as proved: a convex one about a "
-        "corner, a disc about its center.",
+        "Write a valid layout with the smallest container that is proved to suffice: a convex one "
+        "is shrunk about a corner, a disc about its center.",
     ),
     takes_workers("Number of processes for several files; default: one per CPU."),
     takes_output,
@@ -171,22 +171,22 @@ def layout_command(
 ) -> None:
     """Judge the output of a nesting program.
 
-    Each of FILES is a file, a folder of files, a pattern such as 'nests/*.json', or - for standard
-    input: Layout JSON; solutions of sparrow, jagua-rs, spyrrow, packingsolver or CG:SHOP 2024 as
-    JSON; SVG of sparrow, jagua-rs, SVGnest or Deepnest; any drawing, such as SVG or DXF, with the
-    outlines in place; a table of placements, as CSV or JSON with columns part, x, y and angle, with
+    FILES may be files, folders, patterns such as 'nests/*.json', or - for standard input: Layout
+    JSON; JSON solutions of sparrow, jagua-rs, spyrrow, packingsolver or CG:SHOP 2024; SVG of
+    sparrow, jagua-rs, SVGnest or Deepnest; any drawing, such as SVG or DXF, with the outlines in
+    place; a table of placements, as CSV or JSON with columns part, x, y and angle, together with
     --part OUTLINE; or a table of discs with columns x, y and radius. --instance adds rules that a
-    file lacks. Each sheet of a file is a layout of its own; FILE#0 is the first.
+    file lacks. Each sheet of a file is a separate layout; FILE#0 is the first.
 
-    A layout is valid if all parts are inside the container and clear of its defects, no two
-    overlap, all distances are kept, and the number, the turns and the mirroring of parts obey the
-    rules. The report lists each fault, the worst first, with its proof, its measure and the
-    shortest move that repairs it. If most of a layout is wrong, the command tries other
+    A layout is valid if all parts are inside the container and clear of its defects, no two parts
+    overlap, all distances are kept, and the number, the rotations and the mirroring of parts obey
+    the rules. The report lists the faults, the worst first, each with its proof, its measure and
+    the shortest move that repairs it. If most of a layout is wrong, the command tries other
     conventions: radians, another center, another sign, Y downward, another scale.
 
-    Outlines of drawings inside others are holes, outlines in a hole parts again, and so on (--flat
-    reads each as a part). --layer and --ignore-layer choose layers. The report lists all rules and
-    shapes that are not judged.
+    In drawings, outlines inside others are holes, outlines in a hole are parts, and so on; with
+    --flat, each outline is a part. --layer and --ignore-layer select layers. The report lists all
+    rules and shapes that are not judged.
 
     The exit code is 0 only if all layouts are valid, or all faults are within --accept.
 
@@ -286,7 +286,7 @@ def _judge_one(
 
 
 def _repair(judgement: Judgement, path: str, context: ReportContext) -> str:
-    """Write a repaired layout, if there is one, and describe the moves."""
+    """Write a repaired layout, if one is found, and describe the moves."""
     from exactsweep.layout.repaired import repair_layout
     from exactsweep.text.report import approximate, take_root
 
@@ -302,7 +302,7 @@ def _repair(judgement: Judgement, path: str, context: ReportContext) -> str:
 
 
 def _shrink(judgement: Judgement, path: str, context: ReportContext) -> str:
-    """Write a layout with a smaller container, and return the proved slack."""
+    """Write a layout with a smaller container, and describe the proved slack."""
     from exactsweep.layout.slack import find_slack
     from exactsweep.text.report import approximate
 

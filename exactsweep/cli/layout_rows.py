@@ -1,4 +1,4 @@
-"""Layouts of files, judged: one row of a table each, or one judgement with its notes."""
+"""Judging of layouts from files: rows of a table, or one judgement with its notes."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ if TYPE_CHECKING:
     from exactsweep.formats.layouts import FoundLayout
     from exactsweep.layout import Judgement
 
-# The factor of the tolerance each time that curves are flattened again, and the most times.
+# The factor on the tolerance when curves are flattened again, and the maximum number of times.
 _FINER, _MOST_FINER = Fraction(1, 100), 2
 
 
@@ -23,12 +23,12 @@ class LayoutRow(NamedTuple):
 
     Attributes:
         name: the file and its sheet.
-        verdict: "valid", the faults, or the reason why it could not be read.
-        valid: None if it could not be read.
-        placements: their number.
-        worst: the depth of the worst fault; for a valid layout the least distance.
-        notes: remarks of the reader.
-        accepted: whether all faults are at most as deep as is accepted.
+        verdict: "valid", the faults, or the error of an unreadable file.
+        valid: whether the layout is valid; None for an unreadable file.
+        placements: the number of placements.
+        worst: the depth of the worst fault, or the minimum distance in a valid layout.
+        notes: notes of the reader.
+        accepted: whether all faults are within the accepted depth.
         unchecked: rules and shapes that were not judged.
     """
 
@@ -43,7 +43,7 @@ class LayoutRow(NamedTuple):
 
 
 def list_notes(found: FoundLayout, judgement: Judgement) -> list[str]:
-    """List the remarks of the reader, and conventions that would explain the faults."""
+    """Return the notes of the reader, and conventions that would explain the faults."""
     from exactsweep.layout.diagnose import diagnose, find_radians
 
     guesses = diagnose(judgement)
@@ -94,7 +94,7 @@ def judge_file(
     gaps: Mapping[str, str],
     accept: Fraction | None = None,
 ) -> list[LayoutRow]:
-    """Judge the layouts of a file; an unreadable one gets a row, too."""
+    """Judge the layouts of a file; an unreadable file gets a row as well."""
     rows = []
     try:
         for found in read():
@@ -135,7 +135,7 @@ def _sum_up(
 
 
 def write_rows(rows: Sequence[LayoutRow], terminal_width: int | None) -> str:
-    """Write a table with one layout per line, and how many are valid."""
+    """Format a table with one layout per line, and the number of valid layouts."""
     from exactsweep.text.report import lay_out, make_table
 
     table = make_table(("layout", "placements", "verdict", "worst or nearest"), {"placements"})

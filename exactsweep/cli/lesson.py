@@ -1,4 +1,4 @@
-"""`exactsweep lesson`."""
+"""The command `exactsweep lesson`."""
 
 import click
 
@@ -12,7 +12,7 @@ from exactsweep.cli.output import write
 def lesson_command(name: str | None, output: str) -> None:
     """Write a lesson as an HTML page, with its code and pictures.
 
-    Without NAME, lists the lessons. Lessons are notebooks; the page shows their stored output.
+    Lessons are notebooks; the page shows their stored output. Without NAME, lists the lessons.
 
     Example:
       exactsweep lesson gallery -o gallery.html

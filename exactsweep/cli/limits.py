@@ -1,4 +1,4 @@
-"""Limits of a command on file sizes and digits of numbers."""
+"""Limits on file sizes and on digits of numbers."""
 
 import click
 
@@ -21,10 +21,10 @@ _LIMITS = (
         "--max-mib",
         type=click.FloatRange(min=0, min_open=True),
         expose_value=False,
-        is_eager=True,  # before options that are numbers
+        is_eager=True,  # before options with numbers
         callback=_raise_limit,
         metavar="MIB",
-        help="Maximum file size; each vertex counts for at least 16 bytes. "
+        help="Maximum file size in MiB; each vertex counts as at least 16 bytes. "
         f"Default: {DEFAULT_MIB}.",
         cls=ReadingOption,
     ),
@@ -35,8 +35,8 @@ _LIMITS = (
         is_eager=True,
         callback=_raise_limit,
         metavar="N",
-        help="Maximum number of digits of a numerator and a denominator; numbers written digit by "
-        f"digit may have 32 times as many. Default: {DEFAULT_DIGITS}.",
+        help="Maximum number of digits of a numerator and a denominator; numbers without an "
+        f"exponent may have 32 times as many. Default: {DEFAULT_DIGITS}.",
         cls=ReadingOption,
     ),
 )

@@ -1,4 +1,4 @@
-"""`exactsweep nfp`."""
+"""The command `exactsweep nfp`."""
 
 from fractions import Fraction
 from itertools import product
@@ -30,7 +30,7 @@ _AS_READ = Pose(read_turn(0))
 _takes_together = click.option(
     "--together",
     is_flag=True,
-    help="All polygons of STATIONARY form one rigid shape, and those of ORBITING another.",
+    help="Treat all polygons of STATIONARY as one rigid shape, and those of ORBITING as another.",
 )
 
 _Rigid = tuple[NamedRegion, ...]
@@ -40,14 +40,14 @@ _Rigid = tuple[NamedRegion, ...]
 def _read_shapes(
     stays: str, moves: str, together: bool, reading: ReadingOptions
 ) -> list[list[_Rigid]]:
-    """Read the rigid shapes of two files: each polygon alone, or all of a group."""
+    """Read the rigid shapes of two files: single polygons, or all polygons of a group."""
     shapes: list[list[_Rigid]] = []
     sides = read_each(stays, moves, reading, whole=together)
     for path, side in zip((stays, moves), sides, strict=True):
         shapes.append([tuple(side)] if together or side.is_group else [(one,) for one in side])
         if len(shapes[-1]) > 1:
             number = f"{show_path(path)}: {len(side)} polygons"
-            print_notes([f"{number}, each answered alone; --together answers for all as one shape"])
+            print_notes([f"{number}, each handled separately; --together treats all as one shape"])
     return shapes
 
 
@@ -60,19 +60,19 @@ def nfp_command(
 ) -> None:
     """Compute the no-fit polygon of a pair, or of several pairs.
 
-    The no-fit polygon is the set of positions where ORBITING overlaps STATIONARY. It has an
+    The no-fit polygon is the set of positions at which ORBITING overlaps STATIONARY. It has an
     exterior, the trajectory of a sweep; holes, where ORBITING fits into a cave or a hole; and exact
-    fits, positions and segments of positions without room to either side.
+    fits, which are positions and segments of positions without room to either side.
 
         exactsweep nfp   STATIONARY ORBITING     first stays, second moves
         exactsweep sweep GENERATRIX DIRECTRIX    first moves, second stays
 
-    With --together, all polygons of STATIONARY are one rigid shape, and so are those of ORBITING.
-    FILE#group of an SVG file always is. The positions of overlap are then regions.
+    With --together, all polygons of STATIONARY form one rigid shape, and so do those of ORBITING.
+    FILE#group of an SVG file is always a rigid shape. The positions of overlap are then regions.
 
-    The command reads files as 'exactsweep sweep' does. Each argument may also be a folder or a
-    pattern; with --turns or --mirrored, each pose of ORBITING makes a pair. For several pairs the
-    report and --json have one line per pair, and --to writes all polygons.
+    Files are read as in 'exactsweep sweep'. Each argument may also be a folder or a pattern; with
+    --turns or --mirrored, each pose of ORBITING forms a pair. For several pairs, the report and
+    --json have one line per pair, and --to writes all polygons.
 
     --wkt writes a POLYGON with its holes, and a LINESTRING or a POINT for each exact fit, if all
     coordinates are finite decimals.
@@ -87,7 +87,7 @@ def nfp_command(
     posed = [(g, pose) for g in shapes[1] for pose in poses or (_AS_READ,)]
     if any(len(group) > 1 for side in shapes for group in side):
         if len(shapes[0]) * len(posed) > 1:
-            raise click.UsageError("Groups are for one pair and pose: use # or --together.")
+            raise click.UsageError("Groups need a single pair and pose: use # or --together.")
         ((stationary,), ((orbiting, pose),)) = shapes[0], posed
         at, moved = pose.place_point(reference), [pose.place(one.region) for one in orbiting]
         write_result(no_fit_union([one.region for one in stationary], moved, reference=at), form)
@@ -102,7 +102,7 @@ def nfp_command(
         for k, ((d,), (at, g)) in enumerate(product(shapes[0], turned), 1):
             update(f"no-fit polygon {k} of {len(pairs)}")
             found.append(no_fit_polygon(d.region, g.region, reference=at))
-            # Computed on first access: here, for the progress.
+            # Results are computed on first access; do this here to show progress.
             _ = found[-1].holes
     if len(pairs) == 1:
         write_result(found[0], form)

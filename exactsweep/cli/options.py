@@ -1,4 +1,4 @@
-"""Building blocks of options: checked values, and options combined into one argument."""
+"""Building blocks of options: value checks, and options combined into one argument."""
 
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
@@ -9,9 +9,9 @@ from typing import Any
 import click
 
 Decorator = Callable[[Callable[..., None]], Callable[..., None]]
-"""An option or an argument of click, or several."""
+"""One or more click options or arguments."""
 
-# The readers report unreadable files; click would call that a usage error.
+# The readers report unreadable files; click would report a usage error.
 PATH = click.Path(allow_dash=True, readable=False)
 
 
@@ -25,7 +25,7 @@ def name_mistakes() -> Iterator[None]:
 
 
 def checked(read: Callable[[Any], object]) -> Callable[..., object]:
-    """Make an option callback that reads a value, and reports a ValueError as a usage error."""
+    """Make an option callback that converts a value, turning a ValueError into a usage error."""
 
     def callback(ctx: click.Context, option: click.Parameter, given: Any) -> object:
         with name_mistakes():
@@ -40,7 +40,7 @@ def gather(name: str, make: Callable[..., object], *options: Decorator) -> Decor
     Args:
         name: the name of the argument.
         make: a function of the values, by name.
-        options: the options, in the order of the help; further such decorators, too.
+        options: the options in the order of the help, or other such decorators.
     """
     wanted = signature(make).parameters
 
@@ -59,23 +59,21 @@ def gather(name: str, make: Callable[..., object], *options: Decorator) -> Decor
 
 
 def takes_file(name: str, help: str) -> Decorator:
-    """Add an option that is a file."""
     return click.option(*name.split(), type=PATH, metavar="FILE", help=help)
 
 
 def takes_workers(help: str) -> Decorator:
-    """Add the option --workers."""
     return click.option("--workers", type=click.IntRange(1, 1024), metavar="N", help=help)
 
 
 takes_output = click.option(
     "-o", "--output", type=PATH, default="-", metavar="FILE", help="Write to a file."
 )
-"""Decorator: the option -o FILE, as `output`, by default "-"."""
+"""Decorator: the option -o FILE, as `output`, with default "-"."""
 
 
 def requires_output(help: str, read: Callable[[Any], object] = str) -> Decorator:
-    """Add a required option -o FILE, checked by `read`."""
+    """Add the required option -o FILE, checked by `read`."""
     names = ("-o", "--output")
     return click.option(
         *names, type=PATH, required=True, callback=checked(read), metavar="FILE", help=help

@@ -15,35 +15,35 @@ from exactsweep.formats.size import find_needed_mib
 
 
 def measure_terminal(output: str) -> os.terminal_size | None:
-    """Return the size of the terminal, or None if the output is not one."""
+    """Return the size of the terminal, or None if the output is not a terminal."""
     if output == "-" and sys.stdout is not None and sys.stdout.isatty():
         return get_terminal_size()
     return None
 
 
 def measure_columns(output: str) -> int | None:
-    """Return the width of the terminal, or None if the output is not one."""
+    """Return the width of the terminal, or None if the output is not a terminal."""
     terminal = measure_terminal(output)
     return terminal and terminal.columns
 
 
 def write_readable(text: str, output: str) -> None:
-    """Write output for other commands; report the size limit that reading it needs."""
+    """Write output for other commands, and report the size limit needed to read it."""
     write(text, output)
     report_limit(measure_written(text), output)
 
 
 def report_limit(size: int, output: str) -> None:
-    """Report the limit that reading an output of some bytes needs, if it exceeds the default."""
+    """Report the limit needed to read an output of some bytes, if it exceeds the default."""
     needed = find_needed_mib(size)
     if needed is not None:
         name = "standard output" if output == "-" else show_path(output)
-        click.echo(f"{name}: large; to read it, commands need --max-mib {needed}", err=True)
+        click.echo(f"{name}: large file; reading it requires --max-mib {needed}", err=True)
 
 
 @contextmanager
 def replace_file(output: str) -> Iterator[str]:
-    """Yield a temporary file that replaces the output when complete, or a device itself."""
+    """Yield a temporary file that replaces the output when complete; yield a device itself."""
     path = Path(output).resolve()
     folder = path.parent
     in_place = path.exists() and not (path.is_file() and os.access(folder, os.W_OK))
@@ -75,7 +75,7 @@ def write(text: str, output: str) -> None:
     except OSError as error:
         name = show_path(output)
         if output == "-":
-            # The buffer still holds the rest; flushing it on exit would fail again.
+            # The buffer still holds the rest, and flushing it on exit would fail again.
             os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
             name = "standard output"
         raise FormatError(f"{name}: {error.strerror or error}") from None

@@ -1,4 +1,4 @@
-"""`exactsweep overlap`."""
+"""The command `exactsweep overlap`."""
 
 from itertools import combinations
 
@@ -22,7 +22,7 @@ def _list_pairs(
     found = read_named([a], reading)
     keep_coordinates(found.coordinates)
     if len(found) < 2:
-        raise FormatError(f"{show_path(a)}: contains one polygon; give a second file")
+        raise FormatError(f"{show_path(a)}: contains a single polygon; give a second file")
     return [*combinations(found, 2)]
 
 
@@ -35,15 +35,15 @@ def _list_pairs(
 def overlap_command(
     a: str, b: str | None, json: bool, reading: ReadingOptions, output: str
 ) -> None:
-    """Compare polygons where they are: overlap, area, depth.
+    """Compare polygons in place: overlap, area, depth.
 
-    With one file, the command compares all pairs of its polygons; with two files, each polygon of A
-    with each of B. The verdict is OVERLAP if interiors meet, CONTACT if only boundaries do, and
-    FREE otherwise. The depth is the length of the shortest move of the second polygon that
+    With one file, compares all pairs of its polygons; with two files, each polygon of A with each
+    of B. The verdict is OVERLAP if interiors intersect, CONTACT if only boundaries do, and FREE
+    otherwise. The depth is the length of the shortest translation of the second polygon that
     separates the interiors.
 
     For several pairs, the report and --json have one line for each pair that overlaps or touches.
-    The command reads files as 'exactsweep sweep' does.
+    Files are read as in 'exactsweep sweep'.
 
     Example:
       exactsweep overlap first.wkt second.json

@@ -33,8 +33,8 @@ from exactsweep.numbers.error import name_refusals
 from exactsweep.numbers.number import to_fraction
 from exactsweep.words import count
 
-# A CM sweep with one undercut. All loops have finite decimal coordinates, as every output format
-# needs.
+# A CM sweep with one undercut. All loops have finite decimal coordinates, so every output format
+# can represent them.
 GENERATRIX = Polygon([(0, 0), (2, 0), (2, 1), (1, 2), (0, 1)])
 DIRECTRIX = Polygon([(0, 0), (8, 0), (8, 5), (7, 5), (3, 1), (2, 5), (0, 5)])
 
@@ -47,7 +47,7 @@ _NONE = Fraction(0)
 
 
 def to_point(pair: Iterable[str]) -> Point:
-    """Read the two values of a point option."""
+    """Convert the two values of a point option."""
     return Point(*map(to_fraction, pair))
 
 
@@ -76,7 +76,7 @@ takes_reading = gather(
         callback=checked(lambda text: how.Reading(text).tolerance),
         metavar="TOLERANCE",
         help="Flatten curves of SVG and DXF within this distance; default: about a thousandth of "
-        "each outline. All results state the error.",
+        "the size of each outline. All results state the error.",
         cls=ReadingOption,
     ),
     click.option(
@@ -90,7 +90,7 @@ takes_reading = gather(
         "--nested/--flat",
         default=None,
         help="Nested: outlines inside others are holes, outlines in a hole are polygons, and so "
-        "on. Flat: each outline is a polygon. Default: flat, except for 'exactsweep layout'.",
+        "on. Flat: each outline is a polygon. Default: flat, except in 'exactsweep layout'.",
         cls=ReadingOption,
     ),
     click.option(
@@ -113,7 +113,7 @@ takes_reading = gather(
         "--clean",
         callback=checked(lambda text: how.Reading(clean=text).clean),
         metavar="AREA",
-        help="Skip polygons of a smaller area, and report them.",
+        help="Skip and report polygons with a smaller area.",
         cls=ReadingOption,
     ),
     click.option(
@@ -131,7 +131,7 @@ takes_reading = gather(
     click.option(
         "--unit",
         type=click.Choice(list(how.UNITS)),
-        help="Convert SVG and DXF with a unit to this unit. Default: keep the numbers.",
+        help="Convert SVG and DXF files with a unit to this unit. Default: keep the numbers.",
         cls=ReadingOption,
     ),
 )
@@ -206,10 +206,10 @@ takes_question = click.option(
     "asked",
     type=click.Choice(["sweep", *_ASKED]),
     default="sweep",
-    help="Show a sweep; the no-fit polygon of the files STATIONARY ORBITING; or the inner fit of "
-    "the files CONTAINER PART.",
+    help="Show a sweep; the no-fit polygon of STATIONARY and ORBITING; or the inner fit of "
+    "CONTAINER and PART, in this order.",
 )
-"""Decorator: the option --of of a command with `takes_pair`."""
+"""Decorator: the option --of, for commands with `takes_pair`."""
 
 
 def takes_shapes(
@@ -218,10 +218,10 @@ def takes_shapes(
     """Add two polygons, the second of which moves, as `shapes`.
 
     Args:
-        first: the name of the argument that stays.
-        second: the name of the argument that moves.
-        read: reads both; a function of "stays", "moves", "reading" and the values of the options.
-        options: further options.
+        first: the metavar of the stationary polygon.
+        second: the metavar of the moving polygon.
+        read: a function of "stays", "moves", "reading" and the values of `options`.
+        options: additional options.
     """
     return gather(
         "shapes",
@@ -235,14 +235,14 @@ def takes_shapes(
 
 
 def name_files_of_pair() -> tuple[str, str] | None:
-    """Return the files of G and D of the current command; None for the built-in example."""
+    """Return the files of G and D of the current command, or None for the built-in example."""
     named = click.get_current_context().params
     generatrix, directrix = named.get("generatrix"), named.get("directrix")
     return None if generatrix is None or directrix is None else (generatrix, directrix)
 
 
 def name_files() -> dict[str, str]:
-    """Return the files of the current command by role; none for the built-in example."""
+    """Return the files of the current command by role; empty for the built-in example."""
     ctx = click.get_current_context()
     named = {one.name: one.human_readable_name.lower() for one in ctx.command.params}
     roles = {"generatrix": "moves", "directrix": "stays", "stays": "stays", "moves": "moves"}
@@ -263,7 +263,7 @@ def coordinates_of_files() -> Coordinates:
 
 
 def keep_coordinates(coordinates: Coordinates, notes: Iterable[str] = ()) -> None:
-    """Store the direction of Y and the unit for the output; print notes."""
+    """Store the direction of Y and the unit for the output, and print notes."""
     click.get_current_context().meta[_COORDINATES] = coordinates
     print_notes(notes)
 
@@ -290,7 +290,7 @@ def _require_one_input(first: str, second: str) -> None:
 def read_each(
     stays: str, moves: str, reading: ReadingOptions, *, whole: bool = False
 ) -> tuple[PartList[NamedRegion], PartList[NamedRegion]]:
-    """Read the polygons of two files, folders or patterns, with one direction of Y."""
+    """Read the polygons of two files, folders or patterns, with a common direction of Y."""
     _require_one_input(stays, moves)
     found = [(show_path(path), read_named([path], reading, whole=whole)) for path in (stays, moves)]
     keep_coordinates(*bring_to_one(found))
@@ -328,14 +328,14 @@ def read_placed(
     keep_errors(max(errors))
     if listing.coordinates.y_down != coordinates_of_files().y_down:
         print_notes(
-            [f"{', '.join(map(show_path, files))}: Y axis flipped, to agree with the others"]
+            [f"{', '.join(map(show_path, files))}: Y axis flipped to match the other files"]
         )
         others = [region.scaled((1, -1)) for region in others]
     return first, second, regions + others
 
 
 def _read_layout(path: str, reading: ReadingOptions) -> list[Region]:
-    """Read the placed parts and defects of a layout in JSON; none if the file is not one."""
+    """Read the placed parts and defects of a JSON layout; return [] for other files."""
     file = split_choice(path)[0]
     if not file.lower().endswith(".json"):
         return []
@@ -358,13 +358,13 @@ def _read_layout(path: str, reading: ReadingOptions) -> list[Region]:
         found += [board.turned(k).translated(layout.placements[k].move) for k in board.placed]
         found += [to_region(defect.shape) for defect in layout.defects]
         if any(part.pieces for part in layout.parts):
-            print_notes([f"{show_path(path)}: rounded parts are polygons around them"])
+            print_notes([f"{show_path(path)}: rounded parts are replaced by enclosing polygons"])
         print_notes([f"{show_path(path)}: {count(len(board.placed), 'placed part')}"])
     return found
 
 
 def read_two(stays: str, moves: str, reading: ReadingOptions) -> tuple[Region, Region]:
-    """Read two polygons, each from a file, with one direction of Y; report skipped elements."""
+    """Read two polygons from two files, with a common direction of Y; report skipped elements."""
     regions = []
     for (candidate, *_), file in _choose_two(stays, moves, reading):
         with working("reading"), name_file(file):
@@ -375,7 +375,7 @@ def read_two(stays: str, moves: str, reading: ReadingOptions) -> tuple[Region, R
 def _choose_two(
     stays: str, moves: str, reading: ReadingOptions, *, groups: bool = False
 ) -> list[tuple[PartList[Candidate], str]]:
-    """Find two polygons, with `groups` the second possibly a group; report skipped elements."""
+    """Read two polygons, or a polygon and a group; report skipped elements."""
     _require_one_input(stays, moves)
     with working("reading"):
         first = stays, read_choice(stays, **reading)

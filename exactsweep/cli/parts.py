@@ -18,7 +18,7 @@ _MOST_REASONS = 100
 
 
 def find_parts(paths: Sequence[str], reading: Mapping[str, Any]) -> Listing:
-    """Find the polygons of files, folders and patterns; raise FormatError if there is none."""
+    """Find the polygons of files, folders and patterns; raise FormatError if there are none."""
     with working("reading"):
         listing = list_parts(paths, **reading)
     if not listing.parts:
@@ -36,9 +36,9 @@ def read_named(
     """Read the polygons of files, with unique names; report skipped elements.
 
     Args:
-        paths: as for `find_parts`.
-        reading: likewise.
-        keep: whether polygons of a single file keep their names, or the lack of one.
+        paths: files, folders and patterns.
+        reading: the reading options.
+        keep: whether polygons of a single file keep their names, even if empty.
         whole: whether a polygon that is not simple is an error, as in a group.
 
     Raises:
@@ -78,14 +78,14 @@ def read_named(
 
 
 def report_error(error: Fraction, reading: Mapping[str, Any]) -> None:
-    """Report the flattening error on standard error, if there were curves."""
+    """Report the flattening error on standard error if there were curves."""
     if error:
         how = "" if reading.get("tolerance") else " (--flatten TOLERANCE sets it)"
         print_notes([f"curves flattened within {approximate(error, up=True)}{how}"])
 
 
 def report_skipped(reasons: Sequence[str]) -> None:
-    """List skipped elements with the reasons on standard error."""
+    """List skipped elements and the reasons on standard error."""
     more = len(reasons) - _MOST_REASONS
     shown = [*reasons[:_MOST_REASONS], f"{more} more"] if more > 0 else reasons
     for reason in shown:
@@ -93,7 +93,7 @@ def report_skipped(reasons: Sequence[str]) -> None:
 
 
 def print_notes(lines: Iterable[str]) -> None:
-    """Print lines on standard error, each only once in a command."""
+    """Print lines on standard error, each at most once per command."""
     printed = click.get_current_context().meta.setdefault("exactsweep.printed", set())
     for line in lines:
         if line not in printed:

@@ -26,10 +26,10 @@ if TYPE_CHECKING:
 
 
 def require_own_files(paths: Sequence[str | None]) -> None:
-    """Reject one file for two reports."""
+    """Reject a file that is used for two reports."""
     files = [os.path.realpath(path) for path in paths if path not in (None, "-")]
     if len({*files}) < len(files):
-        raise click.UsageError("Give each report and the journal a different file.")
+        raise click.UsageError("The reports and the journal must be different files.")
 
 
 @dataclass
@@ -45,21 +45,21 @@ class Reports:
     annotations: bool
 
     def __post_init__(self) -> None:
-        """Reject before a long run what would fail after it."""
+        """Fail before a long run instead of after it."""
         paths = [path for path in self.list_files() if path is not None]
         if paths.count("-") > 1:
-            raise click.UsageError("Only one report can go to standard output.")
+            raise click.UsageError("Only one report can be written to standard output.")
         require_own_files(paths)
         for path in paths:
             if path != "-" and not Path(path).parent.is_dir():
                 raise FormatError(f"{show_path(path)}: its folder does not exist")
 
     def list_files(self) -> list[str | None]:
-        """List the files, None for a report that is not wanted."""
+        """List the files; None stands for a report that is not requested."""
         return [self.junit, self.json, self.html, self.badge]
 
     def begin(self, hello: Hello, command: Sequence[str] = ()) -> Run:
-        """Begin a run with these conditions."""
+        """Start a run with these conditions."""
         from exactsweep.conform.judge.verdict import Verdict
         from exactsweep.conform.run.run import Run
 
@@ -68,10 +68,7 @@ class Reports:
     def write(self, run: Run) -> None:
         """Write the table and the requested files, and exit with 1 if the run failed.
 
-        A report on standard output replaces the table.
-
-        Raises:
-            FormatError: a file cannot be written.
+        A report on standard output replaces the table. Raises FormatError if writing fails.
         """
         from exactsweep.conform.report.text import close, write_table
 
@@ -98,7 +95,7 @@ class Reports:
 
 
 def to_gap(text: str) -> Fraction:
-    """Read a number that is not negative."""
+    """Convert a number that must not be negative."""
     found = to_fraction(text)
     if found < 0:
         raise FormatError(f"{text} is negative")
@@ -127,8 +124,8 @@ takes_accept = click.option(
     shell_complete=offer(list_verdicts),
     default="equivalent except for exact fits",
     callback=checked(_require_verdict),
-    help="Worst verdict that passes; default: 'equivalent except for exact fits', as exact fits "
-    "are reported separately. With --accept equivalent they count.",
+    help="Worst verdict that passes; default: 'equivalent except for exact fits', since exact fits "
+    "are reported separately. With 'equivalent', they count.",
 )
 """Decorator: the option --accept VERDICT, as `accept`."""
 
@@ -136,7 +133,7 @@ takes_rounding = click.option(
     "--rounding",
     callback=checked(to_gap),
     metavar="NUMBER",
-    help="Largest coordinate error of an answer that is still 'within'.",
+    help="Maximum coordinate error of an answer that is still 'within'.",
 )
 """Decorator: the option --rounding NUMBER, as `rounding`."""
 
@@ -149,7 +146,7 @@ takes_reports = gather(
         metavar="SHARE",
         default="0",
         callback=checked(_to_share),
-        help="Fail if less than this share of the cases is judged, for example 0.9 or 90%.",
+        help="Fail if a smaller share of the cases is judged, such as 0.9 or 90%.",
     ),
     takes_file("--junit", "Write JUnit XML, for CI."),
     takes_file("--json", "Write all outcomes as JSON."),
@@ -161,4 +158,4 @@ takes_reports = gather(
         help="Print the first failures as annotations of GitHub Actions.",
     ),
 )
-"""Decorator: the options of reports, as `reports`."""
+"""Decorator: the options for reports, as `reports`."""

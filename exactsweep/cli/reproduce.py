@@ -1,4 +1,4 @@
-"""`exactsweep reproduce`."""
+"""The command `exactsweep reproduce`."""
 
 import sys
 from pathlib import Path
@@ -14,7 +14,7 @@ from exactsweep.cli.complete import list_claims, offer
 @click.option(
     "--quick",
     is_flag=True,
-    help="Use a thirtieth of the pairs and smaller sizes; skips timing.",
+    help="Try a thirtieth of the pairs and smaller sizes, and skip timing.",
 )
 @click.option(
     "--out",
@@ -26,7 +26,7 @@ from exactsweep.cli.complete import list_claims, offer
     "--list",
     "only_list",
     is_flag=True,
-    help="List all claims with section, verdict and kind of evidence.",
+    help="List all claims with section, verdict and kinds of evidence.",
 )
 @click.option("--cite", is_flag=True, help="Write only CITATION.cff and references.bib.")
 def reproduce_command(
@@ -37,13 +37,13 @@ def reproduce_command(
     only_list: bool,
     cite: bool,
 ) -> None:
-    """Check the claims of the paper, one by one.
+    """Check the claims of the paper one by one.
 
-    Checks each definition, theorem, lemma, corollary, procedure and figure of the paper, or those
-    named, such as "Lemma 5.3". Every check searches for counterexamples. The output folder gets a
-    report in HTML and Markdown, figures in SVG and PDF, the results as ledger.json and as tables,
-    and the counterexamples as files for 'exactsweep sweep'. The exit code is 1 if the evidence for
-    a claim fails.
+    Checks all definitions, theorems, lemmas, corollaries, procedures and figures of the paper, or
+    the named ones, such as "Lemma 5.3". Each check searches for counterexamples. The output folder
+    contains a report in HTML and Markdown, figures in SVG and PDF, the results as ledger.json and
+    as tables, and the counterexamples as files for 'exactsweep sweep'. The exit code is 1 if the
+    evidence for a claim fails.
 
     Example:
       exactsweep reproduce "Lemma 5.3"

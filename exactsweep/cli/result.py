@@ -1,4 +1,4 @@
-"""Results of sweeps and fits as a report, JSON, WKT, a certificate or polygons."""
+"""Output of sweeps and fits as a report, JSON, WKT, a certificate or polygons."""
 
 from collections.abc import Callable
 from fractions import Fraction
@@ -26,9 +26,9 @@ class Form(NamedTuple):
 
     Attributes:
         kind: "report", "json", "wkt", "certificate", or "to" for polygons in a format.
-        target: that format.
-        rounding: how to round; None for exact output.
-        output: the file, or "-".
+        target: the format of polygons.
+        rounding: the rounding, or None for exact output.
+        output: a file, or "-".
         everything: whether a report lists all vertices.
     """
 
@@ -66,7 +66,7 @@ def _make_form(
 
 
 def takes_form(wkt: str) -> Decorator:
-    """Add the options of output forms, as `form`; `wkt` names what --wkt writes."""
+    """Add the options for output forms, as `form`; `wkt` describes the output of --wkt."""
     return gather(
         "form",
         _make_form,
@@ -125,18 +125,18 @@ _WRITERS[NoFitUnion] = _WRITERS[InnerFit]._replace(side_of=lambda region: "outwa
 
 
 def describe_error(error: Fraction) -> str:
-    """Describe the errors of curves for the end of a report; "" without curves."""
+    """Describe the errors of curves at the end of a report; return "" without curves."""
     if not error:
         return ""
     about = approximate(error, up=True)
-    return f"note: curves flattened; free positions are certain {about} from the boundary\n"
+    return f"note: curves are flattened; results are exact except within {about} of a boundary\n"
 
 
 def write_result(result: Sweep | NoFitPolygon | NoFitUnion | InnerFit, form: Form) -> None:
     """Write a result in the requested form."""
     columns, writers = measure_columns(form.output), _WRITERS[type(result)]
     first, second = errors_of_files()
-    # The second file of a sweep has the polygon that stays.
+    # The second file of a sweep contains the stationary polygon.
     stays, moves = (second, first) if isinstance(result, Sweep) else (first, second)
     bound = stays + moves
     with working("computing"):

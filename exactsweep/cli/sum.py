@@ -1,4 +1,4 @@
-"""`exactsweep sum`."""
+"""The command `exactsweep sum`."""
 
 from contextlib import suppress
 
@@ -51,7 +51,7 @@ def _read(
             with name_file(b):
                 return read_region(a, **reading), parse_region(text, **reading)
     elif as_path:
-        raise click.UsageError("--path reads whole files; leave out the # and what follows.")
+        raise click.UsageError("--path reads whole files; omit the # and the name.")
     return read_two(a, b, reading)
 
 
@@ -64,7 +64,7 @@ def _is_path(file: str) -> bool:
 def _read_with_path(
     a: str, file: str, path: Polyline, is_svg: bool, reading: ReadingOptions
 ) -> tuple[Region, Polyline]:
-    """Read the polygon of a sum with a path; where the Y axes differ, flip the one that is down."""
+    """Read the polygon of a sum with a path; if the directions of Y differ, use Y up for both."""
     name, found = show_path(split_choice(a)[0]), read_choice(a, **reading)
     report_skipped([f"{name}: {reason}" for reason in found.left_out])
     notes = [f"{name}: {note}" for note in found.notes]
@@ -72,10 +72,10 @@ def _read_with_path(
     coordinates = found.coordinates
     if coordinates.y_down and not y_down:
         found[:] = [one.turned() for one in found]
-        notes.append(f"{name}: Y axis flipped, as {show_path(file)} has Y up")
+        notes.append(f"{name}: Y axis flipped, because {show_path(file)} has Y up")
     elif y_down and not coordinates.y_down:
         path = Polyline([(x, -y) for x, y in path.points], closed=path.closed)
-        notes.append(f"{show_path(file)}: Y axis flipped, as {name} has Y up")
+        notes.append(f"{show_path(file)}: Y axis flipped, because {name} has Y up")
     keep_coordinates(coordinates._replace(y_down=coordinates.y_down and y_down), notes)
     keep_errors(found[0].error)
     report_error(found[0].error, reading)
@@ -97,8 +97,8 @@ def _read_with_path(
 @click.option(
     "--certificate",
     is_flag=True,
-    help="Write a proof for 'exactsweep verify'; of two polygons, that of the no-fit polygon of A "
-    "and -B, which has the same boundary.",
+    help="Write a proof for 'exactsweep verify'. For two polygons, it is that of the no-fit "
+    "polygon of A and -B, which has the same boundary.",
 )
 @takes_format
 @takes_rounding
@@ -116,18 +116,18 @@ def sum_command(
     reading: ReadingOptions,
     output: str,
 ) -> None:
-    """Compute a Minkowski sum, also with a path.
+    """Compute a Minkowski sum.
 
-    The Minkowski sum consists of all sums of a point of A and a point of B. It may have holes. With
-    a path as B it is the area that A covers when its origin follows the path. A path is a
-    LINESTRING or POINT of WKT, a LineString or Point of GeoJSON, an SVG file of one open path of
-    straight segments without a fill, or a JSON list of two points; with --path also a longer list,
-    or a filled or closed path of SVG.
+    The Minkowski sum consists of all sums of a point of A and a point of B. It may have holes. If B
+    is a path, the sum is the area that A covers while its origin follows the path. A path is a WKT
+    LINESTRING or POINT, a GeoJSON LineString or Point, an SVG file with one open path of straight
+    segments without a fill, or a JSON list of two points. With --path, it may also be a longer
+    list, or a filled or closed SVG path.
 
-    The Minkowski difference, or erosion, of A by B consists of all positions of B inside A:
+    The Minkowski difference, or erosion, of A by B consists of all positions of B inside A; use
     'exactsweep ifp A B'.
 
-    The command reads files as 'exactsweep sweep' does.
+    Files are read as in 'exactsweep sweep'.
 
     Example:
       exactsweep sum part.json tool.wkt

@@ -1,4 +1,4 @@
-"""`exactsweep sweep`."""
+"""The command `exactsweep sweep`."""
 
 import click
 
@@ -19,15 +19,15 @@ def sweep_command(result: Sweep, form: Form) -> None:
         exactsweep nfp   STATIONARY ORBITING     first stays, second moves
 
     Each is a file, or - for standard input: JSON (a list of pairs, or an object with such a list as
-    "vertices"), GeoJSON, WKT, CSV, SVG or DXF. FILE#NAME chooses one of several polygons by name,
+    "vertices"), GeoJSON, WKT, CSV, SVG or DXF. FILE#NAME selects one of several polygons by name,
     index from 0 or layer. Decimals are read exactly; in JSON, strings such as "-7/2" are fractions.
     Without files, the command sweeps a built-in example.
 
-    Polygons may have any shape. Holes are inner rings in WKT, and in JSON a list of rings as
-    "holes" of an object with an "exterior".
+    Polygons may have any shape. Holes are inner rings in WKT; in JSON, an object has an "exterior"
+    and a list of rings as "holes".
 
-    --wkt writes the trajectory, the inner and the outer loop, and further holes of the swept area,
-    one POLYGON per line. WKT holds finite decimals only; other coordinates need --round.
+    --wkt writes the trajectory, the inner and the outer loop, and other holes of the swept area,
+    one POLYGON per line. WKT can only represent finite decimals; other coordinates need --round.
 
     Example:
       exactsweep sweep house.json block.wkt

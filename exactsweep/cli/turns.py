@@ -18,14 +18,14 @@ from exactsweep.numbers.number import to_fraction
 
 
 class Pose(NamedTuple):
-    """A rotation of a part, after mirroring (x to -x) if `mirrored`."""
+    """A rotation of a part, preceded by mirroring (x to -x) if `mirrored`."""
 
     turn: Turn
     mirrored: bool = False
 
     @property
     def name(self) -> str:
-        """The degrees, with ", mirrored" if so."""
+        """The degrees, followed by ", mirrored" if that applies."""
         degrees = abridge(self.turn.degrees or Fraction(0))
         return f"{degrees}, mirrored" if self.mirrored else degrees
 
@@ -66,7 +66,7 @@ def _list_poses(turns: list[Turn], *, mirrored: bool) -> Iterator[Pose]:
 
 
 def takes_turns(part: str) -> Decorator:
-    """Add --turns and --mirrored, as `poses`; None without them."""
+    """Add --turns and --mirrored, as `poses`, or None without them."""
     return gather(
         "poses",
         _make_poses,
@@ -79,6 +79,6 @@ def takes_turns(part: str) -> Decorator:
             help=f"Rotate {part} counter-clockwise about its origin by each of these angles.",
         ),
         click.option(
-            "--mirrored", is_flag=True, help=f"Also mirror {part} (x to -x) before it is rotated."
+            "--mirrored", is_flag=True, help=f"Also mirror {part} (x to -x) before rotating it."
         ),
     )

@@ -1,4 +1,4 @@
-"""`exactsweep verify`."""
+"""The command `exactsweep verify`."""
 
 import sys
 from collections import Counter
@@ -25,7 +25,7 @@ _NAMES = {"inner_fit": ("part", "container"), "sum": ("shape", "path")}
     "--max-steps",
     type=click.IntRange(min=1),
     metavar="N",
-    help="Limit of work, in steps of at most a microsecond; default: grows with the file.",
+    help="Limit of work, in steps of at most a microsecond; default: depends on the file.",
 )
 @click.option(
     "--coq",
@@ -47,14 +47,14 @@ def verify_command(
     extracted: bool,
     as_json: bool,
 ) -> None:
-    """Check a certificate by independent code.
+    """Check a certificate with independent code.
 
     Decides whether the certificate in FILE, or - for standard input, proves its answer: a sweep, a
-    no-fit polygon, an inner fit, a sum, or the verdict on a layout. The checker is one file without
-    dependencies, check/standalone.py. Prints "proved" and the answer; or the first failed
-    condition, with a translation or a point as a witness, and exits with 1.
+    no-fit polygon, an inner fit, a sum, or the verdict on a layout. The checker is a single file
+    without dependencies, check/standalone.py. Prints "proved" and the answer; or the first
+    condition that fails, with a translation or a point as a witness, and exits with 1.
 
-    With G and D, the certificate has to be about these polygons: the moving and the stationary one,
+    With G and D, the certificate must be about these polygons: the moving and the stationary one,
     the part and the container of an inner fit, or the shape and the path of a sum.
 
     'exactsweep sweep', 'nfp', 'ifp', 'sum' and 'layout' write certificates with --certificate.
@@ -65,7 +65,7 @@ def verify_command(
     from exactsweep.check import verify
 
     if len(shapes) not in (0, 2):
-        raise click.UsageError("One polygon is missing: give both, G and D, or neither.")
+        raise click.UsageError("One polygon is missing: give both G and D, or neither.")
     certificate: Any = read_certificate(file)
     if not isinstance(certificate, dict) or not certificate.keys() & {"format", "claim"}:
         raise click.ClickException(

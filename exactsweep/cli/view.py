@@ -1,4 +1,4 @@
-"""`exactsweep view`."""
+"""The command `exactsweep view`."""
 
 import click
 
@@ -17,12 +17,12 @@ from exactsweep.formats import show_path
 def view_command(result: Sweep | NoFitPolygon | InnerFit, output: str) -> None:
     """Write an interactive HTML page.
 
-    The page is one file that needs no network. A slider, dragging or the keyboard moves the
+    The page is one file that needs no network. The slider, the mouse or the keyboard moves the
     generatrix along the trajectory, around holes of the no-fit polygon and into exact fits. The
-    page names the contacts, and shows exact coordinates of vertices, undercuts and exact fits. With
-    --of nfp or --of ifp it shows a no-fit polygon or an inner fit.
+    page lists the contacts, and shows exact coordinates of vertices, undercuts and exact fits. With
+    --of nfp or --of ifp, it shows a no-fit polygon or an inner fit.
 
-    The command reads files as 'exactsweep sweep' does; without files, it shows the example.
+    Files are read as in 'exactsweep sweep'; without files, the command shows the example.
 
     Example:
       exactsweep view house.json block.wkt -o sweep.html
@@ -31,7 +31,7 @@ def view_command(result: Sweep | NoFitPolygon | InnerFit, output: str) -> None:
     from exactsweep.view import make_page
 
     if output.lower().endswith((".svg", ".pdf", ".png")):
-        raise click.UsageError("The page is HTML; 'exactsweep draw' draws pictures.")
+        raise click.UsageError("The page is HTML; use 'exactsweep draw' for pictures.")
     files = name_files_of_pair()
     names = None if files is None else (show_path(files[0]), show_path(files[1]))
     if names and not isinstance(result, Sweep):

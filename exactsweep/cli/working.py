@@ -31,7 +31,7 @@ def working(doing: str) -> Iterator[Callable[[str], None]]:
 
 @contextmanager
 def show_bar(total: int | None) -> Iterator[Callable[[int, str], None]]:
-    """Show a progress bar on a terminal after one second; yield a function of steps and a text."""
+    """Show a progress bar on a terminal after one second; yield a function that updates it."""
     if not _has_terminal():
         yield lambda done, words: None
         return

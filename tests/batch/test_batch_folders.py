@@ -88,7 +88,7 @@ def test_a_batch_of_rejected_pairs_fails(tmp_path: Path) -> None:
     pairs.write_text('{"generatrix": [[0,0]], "directrix": [[0,0],[1,0],[0,1]]}\n')
     done = run("batch", str(pairs), "-o", str(output), "--workers", "1")
     assert (done.exit_code, done.stdout) == (1, "1 pair, 1 refused\n")
-    assert done.stderr == f"Error: all pairs were refused; {output} says why\n"
+    assert done.stderr == f"Error: all pairs were refused; {output} has the reasons\n"
     assert len(records(output)) == 1
 
 

@@ -76,7 +76,7 @@ def test_large_outputs_name_the_limit_for_reading_them(monkeypatch: pytest.Monke
     sizes = []
     for options in (("--json",), ("--wkt",), ("--to", "csv"), ("--certificate",)):
         said = run("sweep", *options).stderr
-        start = "standard output: large; to read it, commands need --max-mib "
+        start = "standard output: large file; reading it requires --max-mib "
         assert said.startswith(start)
         sizes.append(int(said.removeprefix(start)))
     assert len(set(sizes)) == 4

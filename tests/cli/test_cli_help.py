@@ -98,12 +98,12 @@ def test_the_bar_needs_a_terminal(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("arguments", "words"),
     [
-        (("house.json", "block.wkt"), "'house.json' is a file; a command goes before it"),
+        (("house.json", "block.wkt"), "'house.json' is a file; a command comes first"),
         (("swep",), "Did you mean 'sweep'?"),
         (("help", "swep"), "No such command or topic 'swep'; did you mean 'sweep'?"),
         (("lesson", "galery"), "no lesson 'galery'; did you mean 'gallery'?"),
         (("sweep", "house.json"), "One file is missing: give both files"),
-        (("view", "-o", "sweep.pdf"), "'exactsweep draw' draws pictures"),
+        (("view", "-o", "sweep.pdf"), "use 'exactsweep draw' for pictures"),
         (("verify", __file__.replace("test_cli_help.py", "options.txt")), "not JSON"),
     ],
 )

@@ -115,7 +115,7 @@ def test_all_pairs_are_compared_and_free_ones_are_counted(tmp_path: Path) -> Non
 
 def test_one_polygon_is_no_pair(tmp_path: Path) -> None:
     (one,) = save(tmp_path, one=WKT)
-    assert refusal(run("overlap", one)) == f"{one}: contains one polygon; give a second file"
+    assert refusal(run("overlap", one)) == f"{one}: contains a single polygon; give a second file"
 
 
 def test_shapes_apart_have_a_distance(tmp_path: Path) -> None:
@@ -130,7 +130,7 @@ def test_polygons_of_a_file_are_answered_alone_or_together(tmp_path: Path) -> No
     unit = "POLYGON ((0 0, 1 0, 1 1, 0 1, 0 0))"
     obstacles, part = save(tmp_path, obstacles=two, part=unit)
     alone = run("nfp", obstacles, part)
-    assert "2 polygons, each answered alone; --together answers for all" in alone.stderr
+    assert "2 polygons, each handled separately; --together treats all" in alone.stderr
     together = run("nfp", obstacles, part, "--together", "--wkt")
     assert together.stdout == (
         "POLYGON ((-1 -1, 3 -1, 3 1, -1 1, -1 -1))\nLINESTRING (1 -1, 1 1)\n"
@@ -159,4 +159,4 @@ def test_a_group_of_svg_is_one_rigid_shape(tmp_path: Path) -> None:
     turned = run("ifp", f"{file}#sheet", f"{file}#part", "--turns", "90", "--json").stdout
     assert json.loads(turned)["area"] == str((100 - 30) * (50 - 35))
     assert "outlines, not one" in refusal(run("ifp", f"{file}#part", f"{file}#unit"))
-    assert "Groups are for one pair and pose" in run("nfp", file, f"{file}#part").stderr
+    assert "Groups need a single pair and pose" in run("nfp", file, f"{file}#part").stderr

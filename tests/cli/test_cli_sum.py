@@ -34,7 +34,7 @@ def test_an_open_unfilled_path_of_svg_is_a_path(shape: str, tmp_path: Path) -> N
     flipped = Polyline([(x, -y) for x, y in POINTS])
     expected = minkowski_sum([(0, 0), (1, 0), (1, 2)], flipped)
     assert done.stdout == f"POLYGON (({', '.join(f'{x} {y}' for x, y in closed(expected))}))\n"
-    assert done.stderr == f"{file}: Y axis flipped, as {shape} has Y up\n"
+    assert done.stderr == f"{file}: Y axis flipped, because {shape} has Y up\n"
 
 
 def closed(shape: Region) -> list[tuple[object, object]]:
@@ -49,7 +49,7 @@ def test_y_points_down_if_it_does_in_both_files(tmp_path: Path) -> None:
     expected = minkowski_sum([(0, 0), (1, 0), (1, 2)], Polyline(POINTS))
     assert ", ".join(f"{x} {y}" for x, y in closed(expected)) in done.stdout
     line = write(tmp_path, "l.wkt", "LINESTRING (0 0, 5 0, 5 5)")
-    assert run("sum", shape, line).stderr == f"{shape}: Y axis flipped, as {line} has Y up\n"
+    assert run("sum", shape, line).stderr == f"{shape}: Y axis flipped, because {line} has Y up\n"
 
 
 def test_a_filled_path_is_a_polygon_unless_asked(shape: str, tmp_path: Path) -> None:
@@ -76,7 +76,7 @@ def test_other_drawings_are_refused(
 
 def test_a_chosen_polygon_is_not_a_path(shape: str) -> None:
     done = run("sum", shape, f"{shape}#0", "--path")
-    assert (done.exit_code, "leave out the #" in done.stderr) == (2, True)
+    assert (done.exit_code, "omit the #" in done.stderr) == (2, True)
     assert "No such file" in refusal(run("sum", shape, "none.svg"))
 
 

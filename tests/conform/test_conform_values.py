@@ -130,7 +130,7 @@ OURS = ("--filter", "id=worked-s")
 def test_options_after_the_program_are_refused() -> None:
     done = run("conform", *CONVEX, *OURS)
     assert done.exit_code == 2
-    assert "--filter follows the program, which would get it." in done.stderr
+    assert "--filter after the program would be passed to it." in done.stderr
     for words in ([*CONVEX, "--html=a"], [*CONVEX, "--resume"]):
         assert run("conform", *words).exit_code == 2
 

@@ -76,7 +76,7 @@ def test_outputs_beyond_the_limit_name_a_sufficient_one(name: str) -> None:
     assert written.exit_code == 0, written.stderr
     size = measure_written(Path(name).read_text())
     said = re.findall(
-        rf"{re.escape(name)}: large; to read it, commands need --max-mib (\d+)\n", written.stderr
+        rf"{re.escape(name)}: large file; reading it requires --max-mib (\d+)\n", written.stderr
     )
     assert bool(said) == (size > MOST)
     # The result of an inner fit has more than its regions, so that it is large in any case.
