@@ -10,7 +10,7 @@ from __future__ import annotations
 
 from bisect import bisect_right
 from collections import defaultdict
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from itertools import pairwise, product
 from math import lcm
 from typing import Literal, NamedTuple
@@ -18,12 +18,10 @@ from typing import Literal, NamedTuple
 from exactsweep.geometry.direction import Vector
 from exactsweep.geometry.outline import Outline
 from exactsweep.geometry.region import AnyPolygon
-from exactsweep.geometry.segment import Segment, find_direction, lay_point, make_segment
+from exactsweep.geometry.segment import Segment, lay_point, make_segment
 from exactsweep.numbers.number import Edge, Rational, Vertex
 
 Event = Literal["EE", "EV", "VE", "VV"]
-_Features = list[tuple[int, Segment]]
-"""The numbers of edges or vertices, and their segments on lines of one direction."""
 
 
 class Contact(NamedTuple):
@@ -62,44 +60,40 @@ def find_edge_contacts(
     """Find all contacts along each edge of a trajectory or another loop of free translations.
 
     Returns, for each edge, the sorted contacts that last along a piece of positive length, without
-    EV and VE contacts that are part of an EE contact.
-
-    Cost: O(t + m + n) for each direction of the edges, and a look-up for each pair of a feature of
-    one shape and a parallel edge of the other; O(m n) if few edges of one shape are parallel.
+    EV and VE contacts that are part of an EE contact. Cost: O(t + m n) for t edges.
     """
     lines: defaultdict[tuple[Vector, Rational], list[tuple[int, Segment]]] = defaultdict(list)
     for k, piece in enumerate(map(make_segment, edges)):
         lines[piece.direction, piece.offset].append((k, piece))
     found: list[set[Contact]] = [set() for _ in edges]
-    for u in {u for u, _ in lines}:
-        g_edges, d_edges = (
-            [(k, piece) for k, piece in enumerate(shape.pieces) if piece.direction == u]
-            for shape in (generatrix, directrix)
-        )
-        pairs: list[tuple[Event, _Features, _Features]] = [("EE", g_edges, d_edges)]
-        if g_edges:
-            pairs.append(("EV", g_edges, _lay_vertices(directrix, u)))
-        if d_edges:
-            pairs.append(("VE", _lay_vertices(generatrix, u), d_edges))
-        for event, ours, theirs in pairs:
-            for (i, mine), (j, other) in product(ours, theirs):
-                for k, piece in lines.get((u, other.offset - mine.offset), ()):
-                    if other.minus(mine).shares_piece(piece):
-                        found[k].add(Contact(event, i, j))
+    for contact in _list_parallel(generatrix, directrix, {u for u, _ in lines}):
+        lasting = find_translations(contact, generatrix, directrix)
+        for k, piece in lines.get(lasting[:2], ()):
+            if lasting.shares_piece(piece):
+                found[k].add(contact)
     return [sorted(_without_parts(at, generatrix, directrix)) for at in found]
 
 
-def _lay_vertices(shape: Outline, u: Vector) -> _Features:
-    return [(k, lay_point(vertex, u)) for k, vertex in enumerate(shape.vertices)]
+def _list_parallel(g: Outline, d: Outline, directions: set[Vector]) -> Iterator[Contact]:
+    """Yield the pairs of a vertex and an edge in some directions, and of parallel edges."""
+    ours, theirs = (
+        [(k, own.direction) for k, own in enumerate(shape.pieces) if own.direction in directions]
+        for shape in (g, d)
+    )
+    yield from (Contact("EV", i, j) for (i, _), j in product(ours, range(len(d.vertices))))
+    yield from (Contact("VE", i, j) for i, (j, _) in product(range(len(g.vertices)), theirs))
+    yield from (Contact("EE", i, j) for (i, u), (j, v) in product(ours, theirs) if u == v)
 
 
 def find_translations(contact: Contact, generatrix: Outline, directrix: Outline) -> Segment:
     """Return the translations at which an EV, VE or EE contact lasts. Cost: O(1)."""
     event, i, j = contact
-    ours, theirs = generatrix.edge(i), directrix.edge(j)
-    u = find_direction(ours if event[0] == "E" else theirs)
-    mine = make_segment(ours, u) if event[0] == "E" else lay_point(ours[0], u)
-    return (make_segment(theirs, u) if event[1] == "E" else lay_point(theirs[0], u)).minus(mine)
+    mine, other = generatrix.pieces[i], directrix.pieces[j]
+    if event[0] == "V":
+        mine = lay_point(generatrix.vertices[i], other.direction)
+    if event[1] == "V":
+        other = lay_point(directrix.vertices[j], mine.direction)
+    return other.minus(mine)
 
 
 def _without_parts(contacts: set[Contact], g: Outline, d: Outline) -> set[Contact]:
@@ -123,21 +117,19 @@ def find_contacts(generatrix: Outline, directrix: Outline, t: Vertex) -> list[Co
     tx, ty = int(scale * t[0]), int(scale * t[1])
     found: set[Contact] = set()
     for i, (x, y) in enumerate(generatrix.vertices):
-        point = x * scale + tx, y * scale + ty
-        # Where rings touch, a point may be a vertex of one and inside an edge of another.
-        found.update(Contact("VV", i, j) for j in directrix.vertices_at(point, scale))
-        found.update(Contact("VE", i, j) for j in directrix.edges_through(point, scale))
+        for kind, j in directrix.find_at((x * scale + tx, y * scale + ty), scale):
+            found.add(Contact("VV" if kind == "V" else "VE", i, j))
     for j, (x, y) in enumerate(directrix.vertices):
-        point = x * scale - tx, y * scale - ty
-        found.update(Contact("EV", i, j) for i in generatrix.edges_through(point, scale))
+        for kind, i in generatrix.find_at((x * scale - tx, y * scale - ty), scale):
+            found.add(Contact("VV" if kind == "V" else "EV", i, j))
     # The intersection of two edges has an end towards the start of G's edge. It is that start or an
     # end of D's edge, so one of the contacts above.
     for event, i, j in list(found):
-        piece = make_segment(generatrix.edge(i))
-        for d in [j] if event == "VE" else [j, directrix.before[j]]:
-            other = make_segment(directrix.edge(d))
-            if piece.direction == other.direction:
-                touching, place = other.minus(piece), lay_point(t, piece.direction)
-                if touching.offset == place.offset and touching.shares_piece(place):
-                    found.add(Contact("EE", i, d))
+        u = generatrix.pieces[i].direction
+        for k in [j] if event == "VE" else [j, directrix.before[j]]:
+            contact = Contact("EE", i, k)
+            if directrix.pieces[k].direction == u:
+                lasting, place = find_translations(contact, generatrix, directrix), lay_point(t, u)
+                if lasting.offset == place.offset and lasting.shares_piece(place):
+                    found.add(contact)
     return sorted(found)

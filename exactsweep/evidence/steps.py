@@ -24,7 +24,7 @@ from typing import TYPE_CHECKING, Literal, NamedTuple
 from exactsweep.evidence.contact import Contact, find_contacts, find_translations, list_edges
 from exactsweep.geometry.direction import Vector
 from exactsweep.geometry.outline import Outline
-from exactsweep.geometry.segment import find_direction
+from exactsweep.geometry.segment import find_direction, make_segment
 from exactsweep.geometry.vectors import cross, minus
 from exactsweep.numbers.number import Edge, Point, Rational, Vertex
 
@@ -145,20 +145,19 @@ class _Guide:
 
     def _piece(self, contact: Contact, edge: Edge) -> Edge:
         """Find the piece of an edge of the trajectory along which a contact lasts."""
-        touching = find_translations(contact, self.generatrix, self.directrix)
-        ends = touching.point(touching.low), touching.point(touching.high)
-
-        def progress(point: Vertex) -> Rational:
-            return _progress(edge, point)
-
-        low, high = sorted(ends, key=progress)
-        return max(edge[0], low, key=progress), min(edge[1], high, key=progress)
+        lasting, whole = (
+            find_translations(contact, self.generatrix, self.directrix),
+            make_segment(edge),
+        )
+        ends = max(lasting.low, whole.low), min(lasting.high, whole.high)
+        start, end = map(whole.point, ends if edge[0] < edge[1] else ends[::-1])
+        return start, end
 
     def _ending(
         self, edge: Edge, following: Edge, contacts: Sequence[Contact]
     ) -> tuple[Ending, list[Contact]]:
         step, turned = minus(edge[1], edge[0]), minus(following[1], following[0])
-        if step[0] * turned[1] > step[1] * turned[0]:
+        if cross(step, turned) > 0:
             return "corner", self._meeting(edge[1], contacts)
         g, d = self.generatrix, self.directrix
         stops = [c for c in find_contacts(g, d, edge[1]) if blocks(c, step, g, d)]
@@ -176,42 +175,39 @@ class _Guide:
         return list(found)
 
     def _landmarks(self) -> defaultdict[int, list[Landmark]]:
-        placed: list[tuple[tuple[int, Rational], Landmark]] = []
-
-        def place(mark: Mark, number: int, position: Point) -> None:
-            placed.append((self._place(position), Landmark(mark, number, position)))
-
+        listed: list[Landmark] = []
         for number, undercut in enumerate(self.sweep.undercuts):
             positions = sorted(undercut.positions, key=self._place)
             if len(positions) == 1:
-                place("undercut", number, positions[0])
+                listed.append(Landmark("undercut", number, positions[0]))
             else:
-                place("undercut opens", number, positions[0])
-                place("undercut closes", number, positions[-1])
+                listed.append(Landmark("undercut opens", number, positions[0]))
+                listed.append(Landmark("undercut closes", number, positions[-1]))
         for number, fit in enumerate(self.sweep.exact_fits):
             # An exact fit in a cave or a hole has no end on the trajectory.
-            hanging = next(filter(self._is_passed, dict.fromkeys(fit)), None)
-            if hanging is not None:
-                place("exact fit", number, hanging)
-        placed.sort(key=lambda item: item[0])
+            hanging = [end for end in fit if self._edge_to(end) is not None]
+            listed += [Landmark("exact fit", number, end) for end in hanging[:1]]
         found: defaultdict[int, list[Landmark]] = defaultdict(list)
-        size = len(self.path.vertices)
-        for (k, _), landmark in placed:
-            found[(k + self.first) % size].append(landmark)
+        for landmark in sorted(listed, key=lambda landmark: self._place(landmark.position)):
+            k, _ = self._place(landmark.position)
+            found[(k + self.first) % len(self.path.vertices)].append(landmark)
         return found
 
-    def _is_passed(self, position: Point) -> bool:
+    def _edge_to(self, position: Point) -> int | None:
+        """Find the edge of the trajectory with a position after its start."""
         point = self.sweep.solution.frame.enter_point(position, self.sweep.reference)
-        return point in self.path.numbers or any(True for _ in self.path.edges_through(point))
+        for kind, k in self.path.find_at(point):
+            return k if kind == "E" else self.path.before[k]
+        return None
 
     def _place(self, position: Point) -> tuple[int, Rational]:
         """Find the place of a position on the trajectory, from its first vertex in the frame.
 
         The walk starts at that vertex because no undercut of either sweep extends across it.
         """
+        k = self._edge_to(position)
+        assert k is not None
         point = self.sweep.solution.frame.enter_point(position, self.sweep.reference)
-        vertex = self.path.numbers.get(point)
-        k = next(self.path.edges_through(point)) if vertex is None else vertex - 1
         return (k - self.first) % len(self.path.vertices), _progress(self.path.edge(k), point)
 
     def _halves(self) -> list[Half]:
@@ -230,15 +226,13 @@ class _Guide:
 
 def _progress(edge: Edge, point: Vertex) -> Rational:
     """Return a coordinate along an edge that grows in its direction."""
-    (px, py), (qx, qy) = edge
-    if px != qx:
-        return point[0] if px < qx else -point[0]
-    return point[1] if py < qy else -point[1]
+    (x, y), (u, v) = minus(point, edge[0]), minus(edge[1], edge[0])
+    return x * u + y * v
 
 
 def _direction(start: Point, end: Point) -> Vector:
     p, q = find_direction((start, end))
-    return (p, q) if _progress(((0, 0), (p, q)), minus(end, start)) > 0 else (-p, -q)
+    return (p, q) if start < end else (-p, -q)
 
 
 def blocks(contact: Contact, step: Vertex, generatrix: Outline, directrix: Outline) -> bool:

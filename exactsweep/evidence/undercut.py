@@ -11,9 +11,8 @@ edge of G at a vertex of T, or of the path of a vertex or an edge of G along a p
 
 from __future__ import annotations
 
-from collections import defaultdict
 from collections.abc import Iterator, Sequence
-from itertools import pairwise
+from itertools import pairwise, product
 from typing import Literal, NamedTuple
 
 from exactsweep.geometry.direction import Vector
@@ -22,14 +21,13 @@ from exactsweep.geometry.polygon import Polygon
 from exactsweep.geometry.segment import (
     Segment,
     choose_cover,
-    find_offset,
     lay_point,
     make_segment,
     measure_along,
 )
 from exactsweep.geometry.vectors import minus
 from exactsweep.numbers.error import ExactSweepError
-from exactsweep.numbers.number import Edge, Point, Rational, Vertex
+from exactsweep.numbers.number import Edge, Point, Vertex
 
 Intersection = Literal["point", "segment"]
 
@@ -66,19 +64,16 @@ class TracedPiece(NamedTuple):
         return self.piece.low <= whole.low and whole.high <= self.piece.high
 
 
-class Tracer:
-    """The features of G and of T keyed by lines, to look up those that draw an edge."""
+class Tracer(NamedTuple):
+    """The trajectory T and the generatrix G, which draws along it."""
 
-    def __init__(self, path: Outline, generatrix: Outline) -> None:
-        self.path, self.generatrix = path, generatrix
-        self._edges: defaultdict[Vector, list[tuple[int, Segment]]] = defaultdict(list)
-        for i, own in enumerate(generatrix.pieces):
-            self._edges[own.direction].append((i, own))
-        self._slides: defaultdict[Vector, list[tuple[int, Segment]]] = defaultdict(list)
-        for k, slide in sorted(enumerate(path.pieces), key=lambda item: item[1].low):
-            self._slides[slide.direction].append((k, slide))
-        self._pens: dict[Vector, dict[Rational, list[Segment]]] = {}
-        self._stops: dict[Vector, dict[Rational, list[tuple[Rational, Vertex]]]] = {}
+    path: Outline
+    generatrix: Outline
+
+    def _list_slides(self, u: Vector) -> list[tuple[int, Segment]]:
+        """List the edges of T in a direction, by their low ends."""
+        slides = [(k, s) for k, s in enumerate(self.path.pieces) if s.direction == u]
+        return sorted(slides, key=lambda slide: slide[1].low)
 
     def find_slide(self, whole: Segment) -> list[Vertex]:
         """Find where on an edge of T an edge of G covers an edge of the chain.
@@ -87,15 +82,20 @@ class Tracer:
         if any.
         """
         single: list[Vertex] = []
-        for _, own in self._edges[whole.direction]:
+        slides = self._list_slides(whole.direction)
+        for own in self._list_edges(whole):
             low, high = whole.high - own.high, whole.low - own.low
-            for _, slide in self._slides[whole.direction]:
+            for _, slide in slides:
                 first, last = max(low, slide.low), min(high, slide.high)
                 if slide.offset == whole.offset - own.offset and first <= last:
                     if first < last:
                         return [slide.point(first), slide.point(last)]
                     single = single or [slide.point(first)]
         return single
+
+    def _list_edges(self, whole: Segment) -> list[Segment]:
+        """List the edges of G that are parallel to a segment."""
+        return [own for own in self.generatrix.pieces if own.direction == whole.direction]
 
     def choose(self, edge: Edge, whole: Segment) -> list[TracedPiece]:
         """Choose a small set of drawings that covers an edge.
@@ -104,12 +104,8 @@ class Tracer:
         of T; then other edges of G. Raises ExactSweepError if nothing draws the edge.
         """
         tried: list[TracedPiece] = []
-        for source in (
-            self.draw_from_ends(whole, edge),
-            self.draw_along(whole),
-            self.draw_at_stops(whole),
-        ):
-            for drawing in source:
+        for draw in (self.draw_from_ends(whole, edge), self.draw_along(whole), self.draw_at(whole)):
+            for drawing in draw:
                 if drawing.covers(whole):
                     return [drawing]
                 if drawing.piece.shares_piece(whole):
@@ -121,50 +117,35 @@ class Tracer:
 
     def draw_from_ends(self, whole: Segment, ends: Sequence[Vertex]) -> Iterator[TracedPiece]:
         """Draw by edges of G that end, at a vertex of T, at one of the given points."""
-        for i, own in self._edges[whole.direction]:
-            for p in ends:
-                for q in self.generatrix.edge(i):
+        for i, own in enumerate(self.generatrix.pieces):
+            if own.direction == whole.direction:
+                for p, q in product(ends, self.generatrix.edge(i)):
                     if minus(p, q) in self.path.numbers:
                         yield _draw_at(minus(p, q), own)
 
     def draw_along(self, whole: Segment) -> Iterator[TracedPiece]:
-        """Draw by vertices and edges of G along edges of T."""
-        pens = self._find_pens(whole.direction)
-        for k, slide in self._slides[whole.direction]:
-            for pen in pens.get(whole.offset - slide.offset, ()):
+        """Draw by vertices and edges of G along edges of T; an edge stands for its first vertex."""
+        u = whole.direction
+        pens = [
+            own if own.direction == u else lay_point(vertex, u)
+            for vertex, own in zip(self.generatrix.vertices, self.generatrix.pieces, strict=True)
+        ]
+        for (k, slide), pen in product(self._list_slides(u), pens):
+            if slide.offset + pen.offset == whole.offset:
                 low, high = slide.low + pen.low, slide.high + pen.high
                 yield TracedPiece(self.path.edge(k), whole._replace(low=low, high=high))
 
-    def _find_pens(self, u: Vector) -> dict[Rational, list[Segment]]:
-        """Group the vertices of G by lines of a direction; an edge stands for its first vertex."""
-        if u not in self._pens:
-            edges, pens = dict(self._edges[u]), defaultdict(list)
-            for i, vertex in enumerate(self.generatrix.vertices):
-                pen = edges.get(i) or lay_point(vertex, u)
-                pens[pen.offset].append(pen)
-            self._pens[u] = pens
-        return self._pens[u]
-
-    def draw_at_stops(self, whole: Segment) -> Iterator[TracedPiece]:
+    def draw_at(self, whole: Segment) -> Iterator[TracedPiece]:
         """Draw by edges of G at vertices of T."""
-        for _, own in self._edges[whole.direction]:
-            low, high = whole.low - own.high, whole.high - own.low
-            for along, t in self._find_stops(whole.direction).get(whole.offset - own.offset, ()):
-                if low < along < high:
-                    yield _draw_at(t, own)
-
-    def _find_stops(self, u: Vector) -> dict[Rational, list[tuple[Rational, Vertex]]]:
-        """Group the vertices of T by lines of a direction."""
-        if u not in self._stops:
-            stops = defaultdict(list)
-            for t in sorted(self.path.vertices, key=lambda t: measure_along(u, t)):
-                stops[find_offset(u, t)].append((measure_along(u, t), t))
-            self._stops[u] = stops
-        return self._stops[u]
+        stops = sorted(self.path.vertices, key=lambda t: measure_along(whole.direction, t))
+        for own, t in product(self._list_edges(whole), stops):
+            drawing = _draw_at(t, own)
+            if drawing.piece.offset == whole.offset and drawing.piece.shares_piece(whole):
+                yield drawing
 
     def covers_at(self, t: Vertex, whole: Segment) -> bool:
         """Decide whether an edge of G covers an edge of the chain at a vertex of T."""
-        drawn = (_draw_at(t, own) for _, own in self._edges[whole.direction])
+        drawn = (_draw_at(t, own) for own in self._list_edges(whole))
         return any(d.piece.offset == whole.offset and d.covers(whole) for d in drawn)
 
 
@@ -174,9 +155,7 @@ def find_closing_positions(
     """Find `intersection` and `positions` of an undercut from its bottom chain, in the frame.
 
     Raises ExactSweepError if G does not draw the chain, because it does not belong to the sweep.
-
-    Cost: O(t + n) for each direction of an edge, for t edges of T and n of G, and the drawings on
-    the lines of the edges.
+    Cost: O(t n) for each edge, for t edges of T and n of G.
     """
     edges = [(edge, make_segment(edge)) for edge in pairwise(bottom)]
     (first, whole), *others = edges
@@ -184,7 +163,7 @@ def find_closing_positions(
     # T, where a vertex of G is at each bend.
     if not others and (closing := tracer.find_slide(whole)):
         return "point" if len(closing) == 1 else "segment", closing
-    found = tracer.draw_from_ends(whole, first[1:]) if others else tracer.draw_at_stops(whole)
+    found = tracer.draw_from_ends(whole, first[1:]) if others else tracer.draw_at(whole)
     for drawing in found:
         t = drawing.positions[0]
         if drawing.covers(whole) and all(tracer.covers_at(t, edge) for _, edge in others):
@@ -195,5 +174,5 @@ def find_closing_positions(
 
 def _draw_at(t: Vertex, own: Segment) -> TracedPiece:
     place = lay_point(t, own.direction)
-    offset, along = own.offset + place.offset, place.low
-    return TracedPiece((t,), Segment(own.direction, offset, own.low + along, own.high + along))
+    low, high = own.low + place.low, own.high + place.low
+    return TracedPiece((t,), Segment(own.direction, own.offset + place.offset, low, high))

@@ -2,15 +2,15 @@
 
 from __future__ import annotations
 
-from collections import defaultdict
 from collections.abc import Iterator, Sequence
 from functools import cached_property
+from typing import Literal
 
 from exactsweep.geometry.edges import EdgeIndex
 from exactsweep.geometry.region import AnyPolygon
 from exactsweep.geometry.segment import Segment, make_segment
 from exactsweep.geometry.vectors import is_between
-from exactsweep.numbers.number import Edge, Point, Vertex, ratio
+from exactsweep.numbers.number import Edge, Point, Vertex
 
 
 class Outline:
@@ -54,26 +54,16 @@ class Outline:
         """All edges as segments of their lines."""
         return list(map(make_segment, self.edges))
 
-    @cached_property
-    def _all_numbers(self) -> dict[Vertex, list[int]]:
-        found: defaultdict[Vertex, list[int]] = defaultdict(list)
-        for k, vertex in enumerate(self.vertices):
-            found[vertex].append(k)
-        return found
-
-    def vertices_at(self, point: Vertex, scale: int = 1) -> Sequence[int]:
-        """Find the vertices at a point, multiplied by a scale; several if rings touch."""
-        if scale != 1:
-            point = ratio(point[0], scale), ratio(point[1], scale)
-        return self._all_numbers.get(point, ())
-
-    def edges_through(self, point: Vertex, scale: int = 1) -> Iterator[int]:
-        """Find the numbers of the edges with a point, multiplied by a scale, in their interior."""
+    def find_at(self, point: Vertex, scale: int = 1) -> Iterator[tuple[Literal["V", "E"], int]]:
+        """Find the vertices at a point, multiplied by a scale, and the edges with it inside."""
         x, y = point
         box = x // scale, -(-x // scale), y // scale, -(-y // scale)
         for _, _, _, _, ax, ay, bx, by, ring, k in self._index.near(box):
-            if is_between(point, (ax * scale, ay * scale), (bx * scale, by * scale)):
-                yield self.starts[ring] + k
+            start = ax * scale, ay * scale
+            if point == start:
+                yield "V", self.starts[ring] + k
+            elif is_between(point, start, (bx * scale, by * scale)):
+                yield "E", self.starts[ring] + k
 
 
 def walk_rings(shape: AnyPolygon) -> Iterator[tuple[int, int, int]]:

@@ -43,30 +43,20 @@ def find_direction(edge: Edge) -> Vector:
     return reduce_direction((qx - px, qy - py))
 
 
-def find_offset(direction: Vector, point: Vertex) -> Rational:
-    """Return the offset of the line with a direction through a point, as an int if possible.
+def lay_point(point: Vertex, direction: Vector) -> Segment:
+    """Return a point as a segment of its line in a direction.
 
     All lines of the lattice have int offsets, also if the point is not on the lattice.
     """
-    (a, b), (x, y) = direction, point
-    if type(x) is int and type(y) is int:
-        return a * y - b * x
-    (n, d), (m, e) = x.as_integer_ratio(), y.as_integer_ratio()
-    return ratio(a * m * d - b * n * e, d * e)
+    (a, b), (x, y), along = direction, point, measure_along(direction, point)
+    return Segment(direction, ratio(a * y - b * x, 1), along, along)
 
 
-def lay_point(point: Vertex, direction: Vector) -> Segment:
-    """Return a point as a segment of its line in a direction."""
-    along = point[0] if direction[0] else point[1]
-    return Segment(direction, find_offset(direction, point), along, along)
-
-
-def make_segment(edge: Edge, direction: Vector | None = None) -> Segment:
-    """Make the segment of an edge; a caller that knows the direction may pass it."""
-    if direction is None:
-        direction = find_direction(edge)
-    first, last = measure_along(direction, edge[0]), measure_along(direction, edge[1])
-    return Segment(direction, find_offset(direction, edge[0]), min(first, last), max(first, last))
+def make_segment(edge: Edge) -> Segment:
+    """Make the segment of an edge."""
+    direction = find_direction(edge)
+    low, high = sorted(measure_along(direction, end) for end in edge)
+    return lay_point(edge[0], direction)._replace(low=low, high=high)
 
 
 def measure_along(direction: Vector, point: Vertex) -> Rational:
@@ -77,22 +67,15 @@ def measure_along(direction: Vector, point: Vertex) -> Rational:
 def choose_cover(whole: Segment, pieces: Iterable[tuple[Segment, int]]) -> list[int] | None:
     """Choose a small set of pieces that covers a segment of their line; indices, or None.
 
-    Cost: O(k log k) for k pieces.
+    Cost: O(k) for each of them.
     """
+    pieces = sorted(pieces)
     chosen: list[int] = []
-    reached, best, number = whole.low, whole.low, -1
-    for piece, k in sorted(pieces):
-        if piece.low > reached:
-            if best == reached:
-                return None
-            chosen.append(number)
-            reached = best
-            if reached >= whole.high:
-                return chosen
-            if piece.low > reached:
-                return None
-        if piece.high > best:
-            best, number = piece.high, k
-    if best > reached:
+    reached = whole.low
+    while reached < whole.high:
+        ahead = [(piece.high, k) for piece, k in pieces if piece.low <= reached < piece.high]
+        if not ahead:
+            return None
+        reached, number = max(ahead, key=lambda piece: piece[0])
         chosen.append(number)
-    return chosen if best >= whole.high else None
+    return chosen

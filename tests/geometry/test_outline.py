@@ -22,11 +22,11 @@ def test_features_at_a_point_are_those_of_the_definition() -> None:
         )
         for x, y in product(range(2 * left - 1, 2 * right + 2), range(2 * low - 1, 2 * high + 2)):
             point = Fraction(x, 2), Fraction(y, 2)
-            expected = [k for k, edge in enumerate(outline.edges) if is_between(point, *edge)]
-            assert sorted(outline.edges_through(point)) == expected
-            assert sorted(outline.edges_through((x, y), 2)) == expected
+            inside = [k for k, edge in enumerate(outline.edges) if is_between(point, *edge)]
             corners = [k for k, vertex in enumerate(outline.vertices) if vertex == point]
-            assert [*outline.vertices_at(point)] == [*outline.vertices_at((x, y), 2)] == corners
+            expected = [*(("E", k) for k in inside), *(("V", k) for k in corners)]
+            assert sorted(outline.find_at(point)) == expected
+            assert sorted(outline.find_at((x, y), 2)) == expected
 
 
 def test_features_are_counted_through_all_rings() -> None:
@@ -35,4 +35,4 @@ def test_features_are_counted_through_all_rings() -> None:
     assert outline.after == [1, 2, 3, 0, 5, 6, 4]
     assert outline.before == [3, 0, 1, 2, 6, 4, 5]
     assert outline.edge(6) == ((2, 1), (1, 1))
-    assert [*outline.edges_through((Fraction(3, 2), 1))] == [6]
+    assert [*outline.find_at((Fraction(3, 2), 1))] == [("E", 6)]

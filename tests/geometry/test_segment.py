@@ -4,7 +4,7 @@ from fractions import Fraction
 from itertools import combinations
 from random import Random
 
-from exactsweep.geometry.segment import Segment, choose_cover, find_offset, make_segment
+from exactsweep.geometry.segment import Segment, choose_cover, lay_point, make_segment
 from exactsweep.numbers.number import Vertex
 
 X_AXIS = (1, 0)
@@ -48,7 +48,7 @@ def test_lines_have_int_keys_if_possible() -> None:
     half = Fraction(1, 2)
     points: list[Vertex] = [(half, Fraction(2)), (4 * half, half), (3, 1)]
     for point, offset in zip(points, (2, half, 1), strict=True):
-        found = find_offset(X_AXIS, point)
+        found = lay_point(point, X_AXIS).offset
         assert found == offset
         assert type(found) is type(offset)
 
