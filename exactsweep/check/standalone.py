@@ -1,19 +1,17 @@
 """Checker of certificates, version 3: one file to be read, with the standard library only.
 
 `python standalone.py FILE` prints "proved: ..." or "not proved: ..."; CERTIFICATES.md defines the
-format. A point (x, y, w) of integers, w > 0, is (x/w, y/w); it is left of the line (a, b, c) if
-a x + b y + c w > 0. Sections 4 and 5 need 1 to 3; section 6 needs 1 and 2.
+format. A point (x, y, w) of integers, w > 0, is (x/w, y/w); it is left of a line (a, b, c) if
+a x + b y + c w > 0.
 
 1. Shapes. The winding number of rings at z is the number of edges strictly right of z, upward ones
    counted as 1, downward ones as -1; an edge contains its lower end, not its upper one. It is the
-   same at z + (d, d^2) for all small d > 0. A shape is the set of points of winding number 1, holes
-   clockwise. So two shapes have a common point if and only if they overlap: their interiors have
-   one.
+   same at z + (d, d^2) for all small d > 0. A shape is the set of points of winding number 1. So
+   two shapes have a common point if and only if they overlap: their interiors have one.
 2. Pieces, convex and counter-clockwise, make up a shape if on every line, at every point, starts
-   less ends of edges are the same for the pieces and for the rings (`cancel`), and any two pieces
-   lie on opposite sides of a line (`apart`). By the first, as many edges are right of any z, so the
-   indicators of the pieces add up to the winding number; by the second, the sum is 0 or 1. So each
-   point of the shape is in exactly one piece.
+   less ends of edges are the same for pieces and rings (`cancel`), and any two lie on opposite
+   sides of a line (`apart`). Then as many edges of pieces as of rings are right of any z, so the
+   pieces that contain z add up to the winding number, and they are at most one.
 3. The lemma. Let O be a union of open convex polygons, the sums; U the union of the listed ones; L
    the edges of closed loops, O on their left, and fits, which are segments or points; W the winding
    number of all loops. Suppose (`boundary`) that
@@ -24,32 +22,28 @@ a x + b y + c w > 0. Sections 4 and 5 need 1 to 3; section 6 needs 1 and 2.
    (d) W is 1 at one point of every sum;
    (e) two edges or fits have at most one common point.
    Then O = U, L is the boundary of O, and off L, W is 1 on O and 0 elsewhere.
-   Proof. By (a), W is constant on each sum, so by (d) it is 1 on O. By (b), U and L together are
-   closed. Let t be in neither; perturb it so that the horizontal ray from t to the right avoids
-   ends and crossings of segments. If the ray misses L, W is 0 at t. Else let y be its first point
-   of L, on e. Before y the ray misses U: the leftmost point of a sum on it would be on a side, so
-   in L, or in another sum, which begins farther left. If e were a fit or went up, the ray would
-   meet a sum along its left before y, by (c). So e goes down, and just behind y is a sum, where W
-   is 1; hence W is 0 at t. As W is 1 on O, O is in U or L, by (a) in U. Points of L are limits of O
-   by (c), and not in O by (a); all other limits of U are in U by (b).
-4. `no_fit`. By 1 and 2, D and G + t overlap if and only if t is in the interior of D_i + H_j, for
-   pieces D_i of D and H_j of H = -G: these are the sums. If D_1 and D_2 have a common vertex p, the
-   sums D_1 + H_j and D_2 + H_j have p + int H_j in common; so (d) is checked once for pieces
-   connected by vertices. `sweep`: what G covers along the exterior T is the closure of the sums of
-   edges of T and pieces of G; 3 applies, with slits as fits, which are no part of the answer. Edges
-   of T have common ends, so the sums of one piece of G are connected. `sum`: likewise, with the
-   segments of any path for T.
-5. `inner_fit`. D is a frame without the container, B the rectangle of all t at which G + t is in
-   the frame. L is in B; the four half-planes around B count as listed sums, each with an edge of B
-   as its side. In the proof read W + 1 for W; every ray meets a half-plane, so L before it.
-6. `layout`. A rounded piece is all points at distance r or less from a convex hull, r = 0 for the
+   Proof. By (a), W is constant on each sum, so by (d) it is 1 on O. Let t be in neither U nor L,
+   which together are closed by (b). Perturb t so that the horizontal ray to its right avoids ends
+   and crossings. If the ray misses L, W is 0 at t. Else let y be its first point of L, on e. Before
+   y the ray misses U: its first limit of points of U would be on a side, so in U or L by (b), but
+   is in neither. So e is no fit and does not go up: by (c), a sum would be on its left. So e goes
+   down, W is 1 just behind it by (c), and 0 at t. As W is 1 on O, O is in U or L, by (a) in U.
+   Points of L are limits of O by (c), not in O by (a); all other limits of U are in U.
+4. `no_fit`: by 1 and 2, D and G + t overlap if and only if t is in the interior of D_i + H_j, for
+   pieces D_i of D and H_j of H = -G: the sums. If D_1 and D_2 have a common vertex p, D_1 + H_j and
+   D_2 + H_j have p + int H_j in common, so (d) is checked once for pieces connected by vertices.
+   `sweep`: G covers along T, up to closure, the sums of edges of T and pieces of G; those of one
+   piece are connected. Slits are fits that are no part of the answer. `sum`: likewise, on any path.
+5. `inner_fit`: D is a frame less the container, B the rectangle of all t at which G + t is in the
+   frame. L is in B; the half-planes around B count as listed sums, with an edge of B as their side.
+   In the proof read W + 1 for W; every ray meets a half-plane, so L before it.
+6. `layout`: a rounded piece is all points at distance r or less from a convex hull, r = 0 for the
    pieces of 2. For vertices a and b of two pieces, a normal n with gap = min n.b - max n.a >= 0 and
-   gap^2 >= (s + r_a + r_b)^2 |n|^2 proves that they are s apart and do not overlap. The errors of
-   shapes add to s. The complement of the container in a frame is a shape, and so is each defect; in
-   a rounded container, depth is concave, so the vertices of a piece decide. A rotation with error d
-   displaces a point at distance r from the origin by at most d r. A point deeper in two bodies than
-   their errors proves that they overlap; one nearer to both than half of s less the errors, that
-   they are too close.
+   gap^2 >= (s + r_a + r_b)^2 |n|^2 proves that they are s apart and do not overlap. Errors add to
+   s; a rotation with error d displaces a point at distance r from the origin by at most d r. The
+   container, as a frame less the container, and defects are shapes like parts; in a rounded
+   container, depth is concave, so vertices decide. A point deeper in two bodies than their errors
+   proves that they overlap; one nearer to both than (s - errors) / 2, that they are too close.
 """
 
 from __future__ import annotations
@@ -61,7 +55,7 @@ from collections import Counter, defaultdict
 from collections.abc import Iterable, Iterator, Sequence
 from decimal import Decimal
 from fractions import Fraction
-from functools import lru_cache
+from functools import lru_cache, reduce
 from itertools import accumulate, chain, pairwise, product
 from math import gcd, lcm
 from pathlib import Path
@@ -70,19 +64,16 @@ from typing import Any, NamedTuple
 FORMAT, VERSION, HEAD = "exactsweep certificate", 3, "format version claim"
 MAX_DIGITS, MAX_STEPS, STEPS_PER_BYTE = 10**5, 10**7, 100
 NUMBER = re.compile("-?(0|[1-9][0-9]*)(/[1-9][0-9]*)?")
-NULL: Any = dict.fromkeys(("turn", "radius", "error"), "0")
-NULL |= {"holes": [], "defects": []}
+DEFAULTS: Any = {"holes": [], "defects": [], "turn": "0"}
 FORM, RULES = "exterior holes pieces error", "demand turns mirrored mirrored_turns"
-NO_PIECES: Any = {"pieces": []}
 AXES, NOWHERE = ((1, 0), (0, 1), (-1, 0), (0, -1)), ((0, 0, 0, 0), -1, 0)
 PI = "3.1415926535897932384626433832795028841971693993751058209749445923078164062862089986280348"
 
 Rational = int | Fraction
 Point = tuple[int, int, int]
-Line = Point
 Ring = list[Point]
-Edge = tuple[Point, Point, Line]
-Span = tuple[Rational, Rational, bool]
+Edge = tuple[Point, Point, Point]
+Span = tuple[Rational, bool, Rational]
 
 
 # --- Reading --------------------------------------------------------------------------------------
@@ -92,10 +83,10 @@ class Refused(Exception):  # noqa: N818
     """The first reason why a certificate is not proved, with a point if there is one."""
 
     def __init__(self, reason: str, *points: Point) -> None:
-        for x, y, w in points[:1] if max(map(abs, chain((0,), *points))) < 10**300 else ():
-            reason = f"{reason}, at ({x / w:.12g}, {y / w:.12g})"
-        super().__init__(reason)
         self.witness = place(points[0]) if points else None
+        for x, y, w in points[:1]:
+            reason += f", at ({Decimal(x) / w:.12g}, {Decimal(y) / w:.12g})"
+        super().__init__(reason)
 
 
 def need(condition: Any, reason: str, *points: Point) -> None:
@@ -105,20 +96,22 @@ def need(condition: Any, reason: str, *points: Point) -> None:
 
 
 class Work:
-    """The remaining steps, each at most a microsecond with short numbers."""
+    """The remaining steps; one takes a microsecond, or more if numbers are long."""
 
     def __init__(self, certificate: Any, max_steps: float | None) -> None:
         try:
             text = json.dumps(certificate)
         except (TypeError, ValueError, RecursionError) as error:
             raise Refused(f"not JSON: {error}") from None
+        digits = max(map(len, re.findall("[0-9]+", text)), default=0)
         self.left = max_steps or max(MAX_STEPS, STEPS_PER_BYTE * len(text))
+        self.left /= 1 + max(0, digits - 18) / 10 + digits**2 / 6000
 
-    def spend(self, steps: float, *numbers: int) -> None:
-        """Subtract steps, more of them for long numbers, as measured."""
-        bits = max(map(int.bit_length, numbers)) - 60 if numbers else 0
-        self.left -= steps * (1 + bits / 35 + bits**2 / 65000) if bits > 0 else steps
-        need(self.left >= 0, "too large: exceeds the step limit for its size")
+    def spend(self, steps: float) -> None:
+        """Subtract steps."""
+        self.left -= steps
+        if self.left < 0:
+            raise Refused("too large: exceeds the step limit for its size")
 
 
 def fields(name: str, item: Any, names: str, optional: str = "") -> list[Any]:
@@ -127,7 +120,7 @@ def fields(name: str, item: Any, names: str, optional: str = "") -> list[Any]:
     right = type(item) is dict and item.keys() <= {*known}
     right = right and all(item.get(key) is not None for key in names.split())
     need(right, f"{name}: not an object with keys {names}{optional and '; optional '}{optional}")
-    return [NULL.get(key) if item.get(key) is None else item[key] for key in known]
+    return [DEFAULTS.get(key) if item.get(key) is None else item[key] for key in known]
 
 
 def items(name: str, item: Any, size: int | None = None) -> list[Any]:
@@ -143,14 +136,25 @@ def integer(name: str, item: Any, low: int, end: int) -> int:
     return int(item)
 
 
-def number(name: str, item: Any, is_signed: bool = True) -> Rational:
+def number(name: str, item: Any) -> Rational:
     """Read a rational in lowest terms."""
     right = type(item) is str and len(item) <= MAX_DIGITS and NUMBER.fullmatch(item)
     need(right and item != "-0", f"{name}: not a number in a string, such as -3 or 5/7")
     n, m = (int(Decimal(part)) for part in f"{item}/1".split("/")[:2])  # int takes 4,300 digits
     need("/" not in item or gcd(n, m) == 1 < m, f"{name}: not in lowest terms")
-    need(is_signed or n >= 0, f"{name}: below 0")
     return n if m == 1 else Fraction(n, m)
+
+
+def numbers(name: str, item: Any, size: int) -> list[Rational]:
+    """Read a list of numbers of a given size."""
+    return [number(name, n) for n in items(name, item, size)]
+
+
+def length(name: str, item: Any, default: Rational = 0) -> Rational:
+    """Read an optional number that is not negative."""
+    found = default if item is None else number(name, item)
+    need(found >= 0, f"{name}: below 0")
+    return found
 
 
 def node(x: Rational, y: Rational) -> Point:
@@ -161,7 +165,7 @@ def node(x: Rational, y: Rational) -> Point:
 
 def read_points(name: str, item: Any, size: int | None = None) -> Ring:
     """Read a list of points."""
-    return [node(*(number(name, n) for n in items(name, p, 2))) for p in items(name, item, size)]
+    return [node(*numbers(name, p, 2)) for p in items(name, item, size)]
 
 
 def ring(name: str, item: Any) -> Ring:
@@ -182,7 +186,7 @@ def shape(name: str, item: Any) -> list[Ring]:
 
 def rectangle(name: str, ends: list[Rational]) -> Ring:
     """Return the corners of a rectangle from the lower left one on."""
-    left, low, right, high = items(name, ends, 4)
+    left, low, right, high = ends
     need(left < right and low < high, f"{name}: not left, bottom, right, top of a rectangle")
     return [node(left, low), node(right, low), node(right, high), node(left, high)]
 
@@ -190,22 +194,15 @@ def rectangle(name: str, ends: list[Rational]) -> Ring:
 # --- Points, lines and boxes ----------------------------------------------------------------------
 
 
-def reduce(a: int, b: int, c: int) -> Line:
-    """Divide a line or a point by its common divisor."""
-    d = gcd(c, a, b) or 1
-    return (a, b, c) if d == 1 else (a // d, b // d, c // d)
-
-
 def edges(points: Sequence[Point]) -> list[Edge]:
     """Return the edges of a ring, each with its line."""
-    found, ends = [], zip(points, [*points[1:], *points[:1]], strict=True)
+    found, ends = list[Edge](), zip(points, [*points[1:], *points[:1]], strict=True)
     for (x, y, w), (u, v, z) in ends:
-        line = reduce(y * z - v * w, u * w - x * z, x * v - u * y)
-        found.append(((x, y, w), (u, v, z), line))
+        found.append(((x, y, w), (u, v, z), (y * z - v * w, u * w - x * z, x * v - u * y)))
     return found
 
 
-def side(line: Line, p: Point) -> int:
+def side(line: Point, p: Point) -> int:
     """Return a number whose sign is 1 left of a line, 0 on it, -1 right of it."""
     return line[0] * p[0] + line[1] * p[1] + line[2] * p[2]
 
@@ -217,8 +214,13 @@ def place(p: Point) -> tuple[Fraction, Fraction]:
 
 def add(p: Point, q: Point) -> Point:
     """Return the sum of two points."""
-    (x, y, w), (u, v, z) = p, q
-    return (x + u, y + v, 1) if w == z == 1 else reduce(x * z + u * w, y * z + v * w, w * z)
+    return p[0] * q[2] + q[0] * p[2], p[1] * q[2] + q[1] * p[2], p[2] * q[2]
+
+
+def level(points: Sequence[Point]) -> Ring:
+    """Give points one denominator."""
+    unit = lcm(*(w for *_, w in points))
+    return [(x * (unit // w), y * (unit // w), unit) for x, y, w in points]
 
 
 def reflect(pieces: list[Ring]) -> list[Ring]:
@@ -228,7 +230,7 @@ def reflect(pieces: list[Ring]) -> list[Ring]:
 
 def area(around: Iterable[Edge]) -> Fraction:
     """Return the signed area within edges."""
-    terms = [(p[0] * q[1] - q[0] * p[1], 2 * p[2] * q[2]) for p, q, _ in around]
+    terms = [(line[2], 2 * p[2] * q[2]) for p, q, line in around]
     unit = lcm(*(w for _, w in terms))
     return Fraction(sum(n * (unit // w) for n, w in terms), unit)
 
@@ -250,37 +252,43 @@ def scale_of(points: Iterable[Point]) -> int:
 
 
 def box(points: Sequence[Point], scale: int, reach: Rational = 0) -> tuple[int, ...]:
-    """Return the left, right, lower, upper end of a box, in units, rounded outwards."""
-    more, at = -(-reach * scale // 1), [(x * scale, y * scale, w) for x, y, w in points]
-    left, low = min(x // w for x, _, w in at), min(y // w for _, y, w in at)
-    right, high = min(-x // w for x, _, w in at), min(-y // w for _, y, w in at)
-    return left - more, more - right, low - more, more - high
+    """Return left, -right, bottom, -top of a box, in units, rounded down."""
+    at = ((x * scale, y * scale, w) for x, y, w in points)
+    ends = zip(*((x // w, -x // w, y // w, -y // w) for x, y, w in at), strict=True)
+    return tuple(min(end) - -(-reach * scale // 1) for end in ends)
 
 
 def tree(boxes: list[tuple[Any, Any]]) -> Any:
     """Build a tree of boxes with items: (box, size, two trees or an item)."""
     if len(boxes) < 2:
         return (boxes[0][0], -1, boxes[0][1]) if boxes else None
-    lefts, rights, lows, highs = zip(*(found for found, _ in boxes), strict=True)
-    around, half = (min(lefts), max(rights), min(lows), max(highs)), len(boxes) // 2
-    wide, high = around[1] - around[0], around[3] - around[2]
-    boxes = sorted(boxes, key=lambda entry: sum(entry[0][:2] if wide > high else entry[0][2:]))
-    return around, wide + high, (tree(boxes[:half]), tree(boxes[half:]))
+    around, half = tuple(map(min, zip(*(e for e, _ in boxes), strict=True))), len(boxes) // 2
+    k = 0 if sum(around[:2]) < sum(around[2:]) else 2
+    boxes = sorted(boxes, key=lambda entry: entry[0][k] - entry[0][k + 1])
+    return around, -sum(around), (tree(boxes[:half]), tree(boxes[half:]))
+
+
+def index(lists: Iterable[Sequence[Point]], scale: int) -> Any:
+    """Build a tree of the numbers of lists of points."""
+    return tree([(box(points, scale), k) for k, points in enumerate(lists)])
 
 
 def near(work: Work, a: Any, b: Any, c: Any = NOWHERE, touch: int = 0) -> Iterator[Any]:
-    """Yield items of three trees whose first box overlaps, or touches, the sum of the others."""
+    """Yield items of three trees if the sum of their boxes has the origin inside, or touches it."""
     stack = [(a, b, c)] if a and b and c else []
     while stack:
-        found = stack.pop()
-        ((a, b, c, d), m, _), ((e, f, g, h), n, _), ((p, q, r, s), o, _) = found
-        work.spend(1)
-        if e + p < b + touch and a < f + q + touch and g + r < d + touch and c < h + s + touch:
-            at = 0 if m >= n and m >= o else 1 if n >= o else 2
-            if found[at][1] < 0:
-                yield found[0][2], found[1][2], found[2][2]
-            else:
-                stack += [(*found[:at], half, *found[at + 1 :]) for half in found[at][2]]
+        found = a, b, c = stack.pop()
+        work.spend(2)
+        at = 0 if a[1] >= b[1] and a[1] >= c[1] else 1 if b[1] >= c[1] else 2
+        if found[at][1] < 0:
+            yield a[2], b[2], c[2]
+            continue
+        before, after = found[:at], found[at + 1 :]
+        (h, i, j, k), (p, q, r, s) = (others[0] for others in before + after)
+        for half in found[at][2]:
+            d, e, f, g = half[0]
+            if d + h + p < touch and e + i + q < touch and f + j + r < touch and g + k + s < touch:
+                stack.append((*before, half, *after))
 
 
 # --- Shapes and pieces ----------------------------------------------------------------------------
@@ -294,12 +302,18 @@ def is_convex(points: Ring) -> bool:
     return turns_left and sum(one > (0, 0) > other for one, other in pairs) == 1
 
 
+def canonical(line: Point) -> Point:
+    """Return a line, whatever its direction, in lowest terms."""
+    a, b, c = line
+    d = gcd(a, b, c) * (1 if (a, b) > (0, 0) else -1) or 1
+    return a // d, b // d, c // d
+
+
 def cancel(name: str, pieces: list[Ring], rings: list[Ring]) -> None:
     """Require that on every line edge starts less ends agree for pieces and rings."""
-    left = Counter[tuple[Line, Point]]()
-    for p, q, (a, b, c) in chain(*map(edges, pieces + [points[::-1] for points in rings])):
-        line = max((a, b, c), (-a, -b, -c))
-        left.update({(line, p): 1, (line, q): -1})
+    left = Counter[tuple[Point, Point]]()
+    for p, q, line in chain(*map(edges, pieces + [points[::-1] for points in rings])):
+        left.update({(canonical(line), p): 1, (canonical(line), q): -1})
     wrong = [p for (_, p), times in left.items() if times][:1]
     need(not wrong, f"{name}: edges of the pieces do not cancel to its rings", *wrong)
 
@@ -317,29 +331,28 @@ def solid(name: str, rings: list[Ring], item: Any, work: Work) -> list[Ring]:
         need(is_convex(points), f"{name}, piece {k}: not convex, counter-clockwise", points[0])
     cancel(name, pieces, rings)
     around, scale = [*map(edges, pieces)], scale_of(chain(*rings))
-    longest = [max(map(abs, chain(*chain(*e)))) for e in around]
-    boxes = tree([(box(points, scale), k) for k, points in enumerate(pieces)])
-    for k, j, _ in near(work, boxes, boxes):
-        work.spend(len(pieces[k]) * len(pieces[j]), longest[k], longest[j])
+    for k, j, _ in near(work, index(pieces, scale), index(reflect(pieces), scale)):
+        work.spend(len(pieces[k]) * len(pieces[j]))
         is_apart = k >= j or apart(around[k], around[j])
         need(is_apart, f"{name}: pieces {k} and {j} are not apart", pieces[k][0])
     return pieces
 
 
 def inner_point(piece: Ring) -> Point:
-    """Return a point inside a piece."""
-    x, y, w = add(add(piece[0], piece[1]), piece[2])
-    return reduce(x, y, 3 * w)
+    """Return a point inside a piece or a segment."""
+    x, y, w = reduce(add, piece[:3])
+    return x, y, w * len(piece[:3])
 
 
 def groups(pieces: list[Ring], work: Work) -> list[Point]:
     """Return a point inside a piece of each group connected by common vertices."""
     found = list[set[Point]]()
     for piece in pieces:
-        met = [group for group in found if not group.isdisjoint(piece)]
-        work.spend(len(found) / 2 + sum(map(len, met)) / 10)
-        found = [group for group in found if group not in met] + [{*piece}.union(*met)]
-    return [next(inner_point(e) for e in pieces if e[0] in group) for group in found]
+        met = [group for group in found if not group.isdisjoint(piece)] or [set[Point]()]
+        work.spend(len(found) / 2 + sum(map(len, met[1:])) / 10)
+        met[0].update(piece, *met[1:])
+        found = [group for group in found if group not in met] + met[:1]
+    return [inner_point(next(e for e in pieces if e[0] in group)) for group in found]
 
 
 # --- Sums and the lemma ---------------------------------------------------------------------------
@@ -350,7 +363,7 @@ class Known(NamedTuple):
 
     start: Point
     end: Point
-    line: Line
+    line: Point
     loop: str
     name: str
 
@@ -370,9 +383,12 @@ def loops(name: str, item: Any) -> list[Known]:
 
 
 def fits(name: str, item: Any) -> list[Known]:
-    """Read a list of fits."""
-    ends = (edges(read_points(name, fit, 2))[0] for fit in items(name, item))
-    return [Known(*e, "", f"{name}[{k}]") for k, e in enumerate(ends)]
+    """Read a list of fits; one of a single point has a horizontal line."""
+    found = list[Known]()
+    for k, fit in enumerate(items(name, item)):
+        p, q, line = edges(read_points(name, fit, 2))[0]
+        found.append(Known(p, q, (0, p[2], -p[1]) if p == q else line, "", f"{name}[{k}]"))
+    return found
 
 
 class Sums:
@@ -381,48 +397,56 @@ class Sums:
     def __init__(self, name: str, d: list[Ring], h: list[Ring], work: Work, beyond: Any = ()):
         self.work, self.count, self.columns, self.beyond = work, len(d) * len(h), len(h), beyond
         self.name, self.scale = name, scale_of(chain(*d, *h))
-        self.trees = [tree([(box(e, self.scale), k) for k, e in enumerate(of)]) for of in (d, h)]
-        lowest = [[e.index(min(e, key=lambda p: place(p)[::-1])) for e in of] for of in (d, h)]
-        pairs = [zip(*of, strict=True) for of in zip((d, h), lowest, strict=True)]
-        self.d, self.h = ([edges(e[k:] + e[:k]) for e, k in of] for of in pairs)
+        self.trees = index(d, self.scale), index(h, self.scale)
+        self.pieces, (self.d, self.h) = (d, h), ([from_lowest(e) for e in of] for of in (d, h))
         self.get = lru_cache(10**5 // max(map(len, chain(d, h, [()]))) + 1)(self.find)
 
-    def find(self, k: int) -> tuple[list[Edge], int]:
-        """Return the sides of a sum or a half-plane, and the longest number."""
-        sides = self.beyond[k - self.count : k - self.count + 1]
-        if k < self.count:
-            one, other = self.d[k // self.columns], self.h[k % self.columns]
-            self.work.spend(3 * (len(one) + len(other)), *one[0][2], *other[0][2])
-            sides = edges(add_pieces(one, other))
-        return sides, max(map(abs, chain(*chain(*sides))))
+    def find(self, k: int) -> list[Edge]:
+        """Return the sides of a sum or a half-plane."""
+        if k >= self.count:
+            return [self.beyond[k - self.count]]
+        one, other = self.d[k // self.columns], self.h[k % self.columns]
+        self.work.spend(3 * (len(one) + len(other)))
+        return add_pieces(one, other)
 
     def clip(self, k: int, edge: Sequence[Any]) -> Span | None:
         """Return the interval of an edge that is in a sum or a half-plane."""
-        sides, longest = self.get(k)
-        self.work.spend(4 + len(sides), longest, *edge[2])
-        return clip((line for *_, line in sides), edge[0], edge[1])
+        sides = self.get(k)
+        self.work.spend(4 + len(sides))
+        return clip(sides, edge[0], edge[1])
 
 
-def add_pieces(one: list[Edge], other: list[Edge]) -> Ring:
+def from_lowest(piece: Ring) -> list[Edge]:
+    """Return the edges of a piece from its lowest vertex on, the left one of two."""
+    points = level(piece)
+    k = points.index(min(points, key=lambda p: (p[1], p[0])))
+    return edges(points[k:] + points[:k])
+
+
+def add_pieces(one: list[Edge], other: list[Edge]) -> list[Edge]:
     """Merge the edges of two pieces, from their lowest points on, by direction."""
-    i, j, found = 0, 0, list[Point]()
+    i, j, found, lines = 0, 0, list[Point](), list[Point]()
     while i < len(one) or j < len(other):
         (p, _, (a, b, _)), (q, _, (c, d, _)) = one[i % len(one)], other[j % len(other)]
-        found.append(add(p, q))
+        x, y, w = add(p, q)
+        found.append((x, y, w))
         turn = (j == len(other)) - (i == len(one)) or a * d - b * c
         i, j = i + (turn >= 0), j + (turn <= 0)
-    return found
+        a, b = (a, b) if turn >= 0 else (c, d)
+        lines.append((a * w, b * w, -a * x - b * y))
+    return [*zip(found, found[1:] + found[:1], lines, strict=True)]
 
 
-def clip(lines: Iterable[Line], a: Point, b: Point, closed: bool = False) -> Span | None:
-    """Return the interval of parameters, 0 at a and 1 at b, that is left of all lines, or None.
+def clip(sides: Iterable[Any], a: Point, b: Point, closed: bool = False) -> Span | None:
+    """Return the interval of parameters, 0 at a and 1 at b, that is left of all sides, or None.
 
     An open one that contains 0 or 1 extends beyond it, to -1 or 2; a closed one does not.
     """
-    (x, y, w), (u, v, z), least = a, b, 1 - closed
+    (x, y, w), (u, v, _) = (a, b) if a[2] == b[2] else level((a, b))
+    least = 1 - closed
     low, high = ((0, 1), (1, 1)) if closed else ((-1, 1), (2, 1))
-    for k, m, n in lines:
-        at_a, at_b = (k * x + m * y + n * w) * z, (k * u + m * v + n * z) * w
+    for _, _, (k, m, n) in sides:
+        at_a, at_b = k * x + m * y + n * w, k * u + m * v + n * w
         if at_a < least:
             if at_b < least:
                 return None
@@ -431,53 +455,54 @@ def clip(lines: Iterable[Line], a: Point, b: Point, closed: bool = False) -> Spa
         elif at_b < least and at_a * high[1] < high[0] * (at_a - at_b):
             high = at_a, at_a - at_b
     start, end = (n if m == 1 else Fraction(n, m) for n, m in (low, high))
-    return (start, end, closed) if start < end + closed and start <= end else None
+    return (start, not closed, end) if start < end + closed and start <= end else None
 
 
 def clip_on(edge: Sequence[Any], a: Point, b: Point) -> Span | None:
-    """Return the closed interval of a segment on an edge, which may be a point, or None."""
-    p, q, (k, m, n) = edge[:3]
-    left, right = (p, q) if m > 0 else (q, p)
-    low, high = (p, q) if k < 0 else (q, p)
-    sides = (left[2], 0, -left[0]), (-right[2], 0, right[0])
-    lines = (k, m, n), (-k, -m, -n), *sides, (0, low[2], -low[1]), (0, -high[2], high[1])
-    return clip(lines, a, b, closed=True)
+    """Return the closed interval of a segment that is on an edge, which may be a point, or None."""
+    (x, y, w), (u, v, z), (k, m, n) = edge[:3]
+    ends = (m * w, -k * w, k * y - m * x), (-m * z, k * z, m * u - k * v)
+    return clip([(a, b, line) for line in ((k, m, n), (-k, -m, -n), *ends)], a, b, closed=True)
 
 
 def covers(spans: Iterable[Span | None]) -> bool:
     """Return whether open and closed intervals cover all parameters from 0 to 1."""
-    reach: Rational = 0
-    is_closed = False
-    for low, high, closed in sorted(filter(None, spans), key=lambda span: (span[0], not span[2])):
-        if low < reach or (low == reach and (closed or is_closed)):
-            reach, is_closed = max((reach, is_closed), (high, closed))
-    return reach > 1 or (reach == 1 and is_closed)
+    reach: tuple[Rational, bool] = (0, False)
+    for low, is_open, high in sorted(filter(None, spans)):
+        if low < reach[0] or (low == reach[0] and (reach[1] or not is_open)):
+            reach = max(reach, (high, not is_open))
+    return reach >= (1, True)
 
 
-def boundary(sums: Sums, known: list[Known], entries: list[Any], inner: Any, wanted: int) -> None:
-    """Prove (a) to (e) of the lemma, (d) at the sums of inner points."""
-    work, at = sums.work, tree([(box(e[:2], sums.scale), e) for e in known])
-    for one, other, _ in near(work, at, at, touch=1):
-        work.spend(12, *one.line, *other.line)
-        span = one is not other and clip_on(other, one.start, one.end)
+def boundary(sums: Sums, known: list[Known], entries: list[Any], wanted: int = 1) -> None:
+    """Prove (a) to (e) of the lemma."""
+    work, ends = sums.work, [[e.start, e.end] for e in known]
+    at = index(reflect(ends), sums.scale)
+    for k, j, _ in near(work, at, index(ends, sums.scale), touch=1):
+        one, other = known[k], known[j]
+        span = k < j and clip_on(other, one.start, one.end)
+        is_point = one.start == one.end or other.start == other.end
         is_end = one.loop != other.loop or one.end == other.start or one.start == other.end
-        is_distinct = not span or (span[0] == span[1] and (is_end or not one.loop))
+        is_distinct = not span or (span[0] == span[2] and not is_point and (is_end or not one.loop))
+        work.spend(12)
         need(is_distinct, f"{one.name}: meets {other.name}", one.start)
-    for edge, i, j in near(work, at, *sums.trees):
-        is_clear = sums.clip(i * sums.columns + j, edge) is None
+    for k, i, j in near(work, at, *sums.trees):
+        is_clear, edge = sums.clip(i * sums.columns + j, known[k]) is None, known[k]
         need(is_clear, f"{edge.name}: inside the sum of pieces {i} and {j}", edge.start)
     cover_sides(sums, known, entries)
-    wind(sums.name, known, (add(p, q) for p, q in product(*inner)), wanted, work)
+    d, h = sums.pieces
+    inner = [*map(inner_point, h)] if d and len(d[0]) == 2 else groups(h, work)
+    wind(sums.name, known, (add(p, q) for p in groups(d, work) for q in inner), wanted, work)
 
 
 def cover_sides(sums: Sums, known: list[Known], entries: list[Any]) -> None:
     """Prove (b) and (c)."""
     name, along = sums.name, defaultdict[Any, list[Span | None]](list)
-    for n, entry in enumerate(entries):
+    for n, entry in enumerate(items(name, entries)):
         first = [*items(f"{name}[{n}]", entry), None][0]
         integer(f"{name}[{n}]", first, 0, sums.count + len(sums.beyond))
     for n, (k, *chains) in enumerate(entries):
-        at, (sides, _) = f"{name}[{n}]", sums.get(k)
+        at, sides = f"{name}[{n}]", sums.get(k)
         for one, found in zip(sides, items(at, chains, len(sides)), strict=True):
             spans = list[Span | None]()
             for m in [found] if type(found) is int else items(at, found):
@@ -485,13 +510,13 @@ def cover_sides(sums: Sums, known: list[Known], entries: list[Any]) -> None:
                     spans.append(sums.clip(entries[m][0], one))
                     continue
                 edge, (x, y, _) = known[-1 - m], one[2]
-                sums.work.spend(45, *edge.line, *one[2])
+                sums.work.spend(20)
                 spans.append(clip_on(edge, *one[:2]))
-                back = spans[-1] and clip_on(one, edge.start, edge.end)
-                if back and back[0] < back[1]:  # a fit of one point is on both sides of itself
-                    way = x * edge.line[0] + y * edge.line[1]
-                    for left in {way > 0, way >= 0}:
-                        along[-1 - m, left].append(back)
+                way = edge.line[0] * x + edge.line[1] * y
+                is_parallel = edge.line[0] * y == edge.line[1] * x
+                lefts = (True, False) if edge.start == edge.end else (way > 0,) * is_parallel
+                for left in lefts:
+                    along[-1 - m, left].append(clip_on(one, edge.start, edge.end))
             need(covers(spans), f"{at}: a side of it is not covered", one[0])
     for n, edge in enumerate(known):
         for left in (True,) if edge.loop else (True, False):
@@ -502,9 +527,8 @@ def cover_sides(sums: Sums, known: list[Known], entries: list[Any]) -> None:
 def wind(name: str, known: list[Known], points: Iterable[Point], wanted: int, work: Work) -> None:
     """Require a winding number of all loops at points."""
     around = [edge[:3] for edge in known if edge.loop]
-    longest = max(map(abs, chain((0,), *chain(*around))))
     for z in points:
-        work.spend(len(around) / 2, longest, *z)
+        work.spend(len(around) / 2)
         times = winding(around, z)
         need(times == wanted, f"{name}: winding number {times}, expected {wanted}", z)
 
@@ -514,25 +538,21 @@ def wind(name: str, known: list[Known], points: Iterable[Point], wanted: int, wo
 
 def no_fit(c: Any, work: Work) -> str:
     """Prove a no-fit polygon, and the swept area of a sweep."""
-    more, lists = "inner outer unswept area", "swept slits"
-    more, lists = (more, lists) if c["claim"] == "sweep" else ("", "")
+    more, lists = ("inner outer unswept area", "swept slits") if c["claim"] == "sweep" else ("", "")
     names = f"directrix generatrix exterior holes exact_fits proof {more} {HEAD}"
     first, second, exterior, holes, exact, proof, *answer = fields("certificate", c, names)
     cut, others, listed, *swept = fields("proof", proof, f"directrix generatrix sums {lists}")
     d = solid("directrix", shape("directrix", first), cut, work)
     g = solid("generatrix", shape("generatrix", second), others, work)
     need(d and g, "proof: no pieces")
-    t, h = loop("exterior", exterior), reflect(g)
+    t = loop("exterior", exterior)
     known = [*t, *loops("holes", holes), *fits("exact_fits", exact)]
-    inner = groups(d, work), groups(h, work)
-    boundary(Sums("sums", d, h, work), known, items("sums", listed), inner, 1)
+    boundary(Sums("sums", d, reflect(g), work), known, listed)
     found = f"no-fit polygon of {len(known)} edges and exact fits"
-    if more:
-        walked, slits = loop("inner", answer[0], -1), fits("slits", swept[1])
+    if swept:
+        walked, segments = loop("inner", answer[0], -1), [[e.start, e.end] for e in t]
         known = [*loop("outer", answer[1]), *walked, *loops("unswept", answer[2])]
-        sums = Sums("swept", [[e.start, e.end] for e in t], g, work)
-        inner = [t[0].start], [*map(inner_point, g)]
-        boundary(sums, known + slits, items("swept", swept[0]), inner, 1)
+        boundary(Sums("swept", segments, g, work), known + fits("slits", swept[1]), swept[0])
         wind("inner, at the directrix", walked, [inner_point(d[0])], -1, work)
         total = area(edge[:3] for edge in known)
         need(number("area", answer[3]) == total, "area: differs from the area between the loops")
@@ -549,8 +569,7 @@ def path_sum(c: Any, work: Work) -> str:
     d = [[p, q] for p, q in pairwise(read_points("path", path)) if p != q]
     need(d and h, "a path of fewer than two points, or no pieces")
     known = [*loop("exterior", exterior), *loops("holes", holes), *fits("slits", slits)]
-    inner = d[0][:1], [*map(inner_point, h)]
-    boundary(Sums("sums", d, h, work), known, items("sums", listed), inner, 1)
+    boundary(Sums("sums", d, h, work), known, listed)
     return f"sum of a shape and a path of {len(d)} segments: {len(known)} edges and slits"
 
 
@@ -559,7 +578,7 @@ def inner_fit(c: Any, work: Work) -> str:
     names = f"container part regions exact_fits proof {HEAD}"
     first, second, regions, exact, proof = fields("certificate", c, names)[:5]
     ends, cut, others, listed, around = fields("proof", proof, "frame outside part sums around")
-    sides, known = [number("frame", n) for n in items("frame", ends)], list[Known]()
+    sides, known = numbers("frame", ends, 4), list[Known]()
     frame = rectangle("frame", sides)
     rings = [frame, *(points[::-1] for points in shape("container", first))]
     d = solid("outside", rings, cut, work)
@@ -569,16 +588,15 @@ def inner_fit(c: Any, work: Work) -> str:
         known += read_region(f"regions[{k}]", region, work)
     known += fits("exact_fits", exact)
     xs, ys = zip(*map(place, chain(*h)), strict=True)
-    less = max(xs), max(ys), min(xs), min(ys)
-    ends = [end + by for end, by in zip(sides, less, strict=True)]
+    ends = [sides[0] + max(xs), sides[1] + max(ys), sides[2] + min(xs), sides[3] + min(ys)]
     within = edges(rectangle("frame, for the part", ends))
     beyond = [(q, p, (-a, -b, -c)) for p, q, (a, b, c) in within]
     for edge, (*_, line) in product(known, within):
         is_within = side(line, edge.start) >= 0 <= side(line, edge.end)
         need(is_within, f"{edge.name}: the part leaves the frame", edge.start)
     more = [[len(d) * len(h) + n, e] for n, e in enumerate(items("around", around, 4))]
-    inner = groups(d, work), groups(h, work)
-    boundary(Sums("sums", d, h, work, beyond), known, items("sums", listed) + more, inner, 0)
+    sums = Sums("sums", d, h, work, beyond)
+    boundary(sums, known, items("sums", listed) + more, 0)
     return f"inner fit of {len(known)} edges and exact fits in {len(regions)} regions"
 
 
@@ -595,18 +613,15 @@ def read_region(name: str, item: Any, work: Work) -> list[Known]:
 
 # --- Layouts --------------------------------------------------------------------------------------
 
-Solid = tuple[list[Ring], Rational]
-
 
 class Body(NamedTuple):
-    """A part or an obstacle, its error and its required distance.
+    """A part or an obstacle, its error, its distance from parts, its winding number inside.
 
-    Each solid is a piece, one ring with a radius, or without a proof all rings of a shape. `inside`
-    is the winding number inside. The complement of a rounded piece has a negative radius.
+    A solid is a piece, one ring with a radius (negative for a complement), or all rings of a shape.
     """
 
     name: str
-    solids: list[Solid]
+    solids: list[tuple[list[Ring], Rational]]
     error: Rational
     distance: Rational
     inside: int
@@ -636,11 +651,10 @@ def rotation_error(to: Any, degrees: Rational) -> Rational:
     return abs(Fraction(to[0]) - cosine) + abs(Fraction(to[1]) - sine) + Fraction(1, 10**88)
 
 
-def move(points: Ring, to: Any = AXES[0], mirrored: bool = False, by: Point = (0, 0, 1)) -> Ring:
-    """Mirror, rotate and move a ring; all its points get one denominator."""
-    unit, r, (u, v, z) = lcm(*(w for *_, w in points)), to[0].as_integer_ratio()[1], by
-    c, s, w, found = int(to[0] * r), int(to[1] * r), unit * r, list[Point]()  # r is of both
-    for x, y in ((x * (unit // d) * (-1) ** mirrored, y * (unit // d)) for x, y, d in points):
+def move(points: Ring, to: Any, mirrored: bool, by: Point) -> Ring:
+    """Mirror, rotate and move a ring."""
+    (u, v, z), (c, s, r), found = by, node(*to), list[Point]()
+    for x, y, w in ((x * (-1) ** mirrored, y, w * r) for x, y, w in level(points)):
         found.append(((c * x - s * y) * z + u * w, (s * x + c * y) * z + v * w, w * z))
     return found[::-1] if mirrored else found
 
@@ -648,17 +662,17 @@ def move(points: Ring, to: Any = AXES[0], mirrored: bool = False, by: Point = (0
 def gap(work: Work, one: Ring, other: Ring, normal: Sequence[int], distance: Rational) -> bool:
     """Return whether a normal proves that two pieces are a distance apart."""
     (x, y), w, v, (n, m) = normal, one[0][2], other[0][2], distance.as_integer_ratio()
-    work.spend(7 + len(one) + len(other), *one[0], *other[0], x, y, n, m)
+    work.spend(7 + len(one) + len(other))
     found = min(x * s + y * t for s, t, _ in other) * w - max(x * s + y * t for s, t, _ in one) * v
     is_far = found >= 0 and (found * m) ** 2 >= (n * w * v) ** 2 * (x * x + y * y)
     return is_far and (x, y) != (0, 0)
 
 
-def spans(around: Sequence[Edge]) -> list[Any]:
+def outline(around: Sequence[Edge]) -> list[Any]:
     """Return the segments that remain of edges less opposite ones, or all edges if none do."""
-    sides, found = defaultdict[Line, Counter[Any]](Counter), list[Any]()
-    for p, q, (a, b, c) in around:
-        sides[max((a, b, c), (-a, -b, -c))].update({place(p): 1, place(q): -1})
+    sides, found = defaultdict[Any, Counter[Any]](Counter), list[Any]()
+    for p, q, line in around:
+        sides[canonical(line)].update({place(p): 1, place(q): -1})
     for at in sides.values():
         times = accumulate(at[p] for p in sorted(at))
         found += [e for e, n in zip(pairwise(sorted(at)), times, strict=False) if n]
@@ -670,17 +684,14 @@ def is_inside(work: Work, body: Body, p: Point, depth: Rational) -> bool:
     found, (x, y) = False, place(p)
     for rings, radius in body.solids:
         around, squared, more = [*chain(*map(edges, rings))], list[Rational](), depth - radius
-        work.spend(60 * len(around), *p, *chain(*chain(*rings)), *more.as_integer_ratio())
-        for (a, b), (c, d) in spans(around):
+        work.spend(60 * len(around))
+        for (a, b), (c, d) in outline(around):
             u, v, along = c - a, d - b, (c - a) * (x - a) + (d - b) * (y - b)
             at = min(along / (u * u + v * v), Fraction(1)) if along > 0 else 0
             squared.append((a + at * u - x) ** 2 + (b + at * v - y) ** 2)
         limit = more**2 if more > 0 else -(more**2)
         found |= (1 if winding(around, p) == body.inside else -1) * min(squared) > limit
     return found
-
-
-Part = tuple[Body, list[Any], list[Any]]
 
 
 class Layout:
@@ -694,16 +705,14 @@ class Layout:
         more = "container defects spacing margin"
         parts, placed, container, defects, *gaps = fields("layout", given, "parts placements", more)
         self.work, self.valid, self.faults = work, valid, faults
-        gaps = ["0" if n is None else n for n in gaps]
-        self.spacing, margin = (number("spacing, margin", n, False) for n in gaps)
-        solids = [NO_PIECES if container is None else container, *items("defects", defects)]
-        cut: list[Any] = [None] * len(items("parts", parts))
-        outside, ends, self.parts = [None] * len(solids), None, dict[str, Part]()
+        self.spacing, margin = (length("spacing, margin", n) for n in gaps)
+        solids = [{"pieces": []} if container is None else container, *items("defects", defects)]
+        cut, outside, ends = [None] * len(items("parts", parts)), [None] * len(solids), None
         if valid:
             names = "outside pieces apart"
             outside, cut, self.normals, ends = fields("proof", proof, names, "frame")
-        sides = [number("frame", n) for n in items("frame", [] if ends is None else ends)]
-        self.frame = [rectangle("frame", sides)] if ends is not None else []
+        self.frame = [] if ends is None else [rectangle("frame", numbers("frame", ends, 4))]
+        self.parts = dict[str, tuple[Body, list[Any], list[Any]]]()
         for k, own in enumerate(items("pieces", cut, len(parts))):
             name = f"parts[{k}]"
             key, *rules = fields(name, parts[k], "id", f"{RULES} {FORM}")
@@ -715,13 +724,13 @@ class Layout:
         for k, own in reversed([*enumerate(items("outside", outside, len(solids)))]):
             name, more = (f"defects[{k - 1}]", f"{FORM} spacing") if k else ("container", FORM)
             *form, distance = [*fields(name, solids[k], "", more), None][:5]
-            far = margin if distance is None else number(f"{name}, spacing", distance, False)
+            far = length(f"{name}, spacing", distance, margin)
             self.bodies.append(self.read_body(name, form, own, far))
 
     def read_body(self, name: str, form: list[Any], cut: Any, distance: Rational) -> Body:
         """Read a shape or rounded pieces; return the complement of a container."""
         exterior, holes, given, error = form
-        is_outside, found = name == "container", list[Solid]()
+        is_outside, found = name == "container", list[tuple[list[Ring], Rational]]()
         if given is None:
             rings = shape(name, {"exterior": exterior, "holes": holes})
             if is_outside:
@@ -729,20 +738,21 @@ class Layout:
                 rings = self.frame + [points[::-1] for points in rings]
             found = [(rings, 0)]
             if self.valid:
-                found = [([move(e)], 0) for e in solid(name, rings, cut, self.work)]
+                found = [([level(e)], 0) for e in solid(name, rings, cut, self.work)]
         else:
             is_one = not is_outside or (len(items(name, given)) < 2 and not self.frame)
             is_alone = is_one and cut is exterior is None and holes == []
             need(is_alone, f"{name}: not rounded pieces alone")
             for k, item in enumerate(items(name, given)):
-                points, radius = fields(f"{name}, piece {k}", item, "points", "radius")
-                piece = read_points(f"{name}, piece {k}", points)
+                at = f"{name}, piece {k}"
+                points, radius = fields(at, item, "points", "radius")
+                piece = read_points(at, points)
                 is_piece = is_convex(piece) if len(piece) > 2 else piece
-                need(is_piece, f"{name}, piece {k}: not convex, counter-clockwise")
-                length = number(f"{name}, piece {k}, radius", radius, False)
-                found.append(([move(piece)], -length if is_outside else length))
+                need(is_piece, f"{at}: not convex, counter-clockwise")
+                radius = length(f"{at}, radius", radius)
+                found.append(([level(piece)], -radius if is_outside else radius))
         need(found or is_outside, f"{name}: no pieces")
-        return Body(name, found, number(f"{name}, error", error, False), distance, 1 - is_outside)
+        return Body(name, found, length(f"{name}, error", error), distance, 1 - is_outside)
 
     def read_placement(self, name: str, item: Any, rational: Any) -> Body:
         """Read a placement; return its placed part."""
@@ -752,7 +762,7 @@ class Layout:
         asked, to = read_rotation(name, turn), read_rotation(name, items(name, rational))
         body, _, used = self.parts[key]
         error, points, by = body.error, body.points(), read_points(name, [by])[0]
-        self.work.spend(20 + 20 * len(points), *chain(*points), *by, to[0].denominator)
+        self.work.spend(20 + 20 * len(points))
         if asked != to:
             need(type(asked) is not tuple, f"{name}: its entry in turns is a different rotation")
             error += max(sum(map(abs, place(p))) for p in points) * rotation_error(to, asked)
@@ -781,23 +791,24 @@ class Layout:
         work, beyond = self.work, self.bodies[-1]
         reach = max(e.distance for e in self.bodies) / Fraction(2)
         for n, entry in enumerate(items("apart", self.normals)):
-            *key, x, y = items(f"apart[{n}]", entry, 6)
-            a, i, b, j = (integer(f"apart[{n}]", k, least, 10**9) for k in key)
-            need((a, i, b, j) not in normals, f"apart[{n}]: duplicate normal for these pieces")
-            normals[a, i, b, j] = read_points(f"apart[{n}]", [[x, y]])[0][:2]
+            at, (*given, x, y) = f"apart[{n}]", items(f"apart[{n}]", entry, 6)
+            key = tuple(integer(at, k, least, 10**9) for k in given)
+            need(key not in normals, f"{at}: duplicate normal for these pieces")
+            normals[key] = read_points(at, [[x, y]])[0][:2]
         for one in self.bodies[: self.count]:
             for (points,), radius in one.solids:
                 room = beyond.distance + one.error + beyond.error + radius
-                is_in = not any(is_inside(work, beyond, p, -room) for p in points if not self.frame)
-                for p, way in zip(*self.frame, AXES, strict=True) if self.frame else ():
-                    is_in = is_in and gap(work, [p], points, way, room)
-                need(is_in, f"{one.name}: not in the container", points[0])
+                sides = zip(*self.frame, AXES, strict=True) if self.frame else ()
+                is_out = not all(gap(work, [p], points, way, room) for p, way in sides)
+                is_out |= any(is_inside(work, beyond, p, -room) for p in points if not self.frame)
+                need(not is_out, f"{one.name}: not in the container", points[0])
         scale = scale_of(p for one in self.bodies[: self.count] for p in one.points())
         for a, one in ((a, self.bodies[a]) for a in range(least, self.count)):
             for i, ((points,), radius) in enumerate(one.solids if a != -1 or self.frame else ()):
                 boxes.append((box(points, scale, reach + one.error + radius), (a, i)))
-                work.spend(10, *boxes[-1][0])
-        for (a, i), (b, j), _ in near(work, *[tree(boxes)] * 2):
+                work.spend(10)
+        mirrored = [((q, p, s, r), item) for (p, q, r, s), item in boxes]
+        for (a, i), (b, j), _ in near(work, tree(boxes), tree(mirrored)):
             if a < b and b >= 0:
                 one, other = self.bodies[a], self.bodies[b]
                 ((points,), r), ((others,), s) = one.solids[i], other.solids[j]
@@ -817,7 +828,7 @@ class Layout:
             need(type(key) is str and key in self.parts, f"{name}: unknown part")
             is_broken, body = (kind, key) in broken, self.parts[key][0]
             if points:
-                self.work.spend(4 * len(body.points()), *points[0], *chain(*body.points()))
+                self.work.spend(4 * len(body.points()))
                 found = [winding(chain(*map(edges, e)), points[0]) for e, _ in body.solids]
                 is_broken = kind == "shape" and not {*found} <= {0, 1}
             need(is_broken, f"{name}: the part has no such fault", *points)

@@ -19,7 +19,7 @@ from exactsweep.geometry.convex import IntRing, cut_to_convex
 from exactsweep.numbers.digits import to_plain
 from exactsweep.numbers.number import Point, to_fraction
 
-_EDGES = 3
+_EDGES = 5
 """The number of edges of a slice of a convex polygon on either side."""
 
 _PointList = Iterable[Iterable[object]]

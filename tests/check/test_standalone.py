@@ -222,7 +222,7 @@ def test_reasons_name_a_point() -> None:
     assert str(caught.value).endswith("at (0.5, 0.5)")
     assert caught.value.witness == (Fraction(1, 2), Fraction(1, 2))
     far = put(c, ("exact_fits", 0, 0, 0), "1" + "0" * 400)
-    assert ", at (" not in refusal(far)
+    assert refusal(far).endswith(", at (1.00000000000e+400, 0.5)")
 
 
 # --- Sums that are connected or not, winding numbers ----------------------------------------------
@@ -277,12 +277,12 @@ def test_groups_of_pieces_are_asked_about_one_by_one() -> None:
 @pytest.mark.parametrize("order", [[0, 1, 2], [2, 1, 0], [1, 2, 0]])
 def test_intervals_cover_in_any_order(order: list[int]) -> None:
     half = Fraction(1, 2)
-    spans: list[Any] = [(-1, half, False), (half, half, True), (half, 2, False)]
+    spans: list[Any] = [(-1, True, half), (half, False, half), (half, True, 2)]
     assert covers([spans[k] for k in order])
     assert not covers([spans[0], spans[2]])
-    assert not covers([(0, 2, False)])
-    assert not covers([(0, half, True), (half, 1, False)])
-    assert covers([(0, half, True), (half, 1, True), None])
+    assert not covers([(0, True, 2)])
+    assert not covers([(0, False, half), (half, True, 1)])
+    assert covers([(0, False, half), (half, False, 1), None])
     assert not covers([])
 
 
