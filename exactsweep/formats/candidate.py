@@ -115,6 +115,11 @@ class Candidate(NamedTuple):
 
         return cls("", vertices, name, layer, fault=fault, ornament=ornament)
 
+    def rejected(self, reason: str, *, ornament: bool = False) -> Self:
+        """Return a candidate of the same name, layer and groups that raises FormatError."""
+        found = type(self).refused(reason, self.name, self.layer, ornament=ornament)
+        return found._replace(groups=self.groups)
+
     @classmethod
     def of_rings(
         cls,
@@ -208,7 +213,7 @@ class Candidate(NamedTuple):
             readers = [(f"{self.place}: ring {k}", ring.copy) for k, ring in enumerate(region)]
             finer = partial(self._find_finer, len(found), len(filled.regions)) if error else None
             piece = self.of_rings(readers, self.place, self.name, self.layer, error)
-            found.append(piece._replace(finer=finer))
+            found.append(piece._replace(words=self.words, groups=self.groups, finer=finer))
         return found
 
     def _find_finer(self, k: int, number: int, tolerance: Fraction) -> Candidate | None:

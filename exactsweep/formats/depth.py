@@ -54,12 +54,9 @@ def nest_candidates(outlines: Sequence[Candidate]) -> list[Candidate]:
                 ring._replace(holes=tuple).polygon()
     except ValueError as error:
         reason = f"nested outlines are read together: {error}"
-        return [o if o.ornament else Candidate.refused(reason, o.name, o.layer) for o in outlines]
+        return [one if one.ornament else one.rejected(reason) for one in outlines]
     found = nest_outlines(plain)
-    refused = [
-        Candidate.refused(tell_ambiguity(outline, around), outline.name, outline.layer)
-        for outline, around in found.ambiguous
-    ]
+    refused = [one.rejected(tell_ambiguity(one, around)) for one, around in found.ambiguous]
     return [*found.outlines, *refused, *(outline for outline in outlines if outline.ornament)]
 
 

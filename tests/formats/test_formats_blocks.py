@@ -14,6 +14,7 @@ from tiers import examples
 
 from exactsweep import Polygon, limits
 from exactsweep.formats import FormatError, parse_polygon, parse_polygons
+from exactsweep.formats.candidate import Candidate
 from exactsweep.formats.curved.affine import IDENTITY
 from exactsweep.formats.curved.join import OpenLine, join
 from exactsweep.formats.curved.spline import Spline
@@ -89,7 +90,7 @@ def test_joined_ends_move_within_the_distance(polygon: Polygon, random: object) 
     lines = []
     for k, (a, b) in enumerate(zip(ring, [*ring[1:], ring[0]], strict=True)):
         ends = off(a), off(b)
-        lines.append(OpenLine(str(k), ends))
+        lines.append(OpenLine(Candidate(str(k), list), ends))
     random.shuffle(lines)  # type: ignore[attr-defined]
     reach = 9 * step
     ((_, candidate),) = join(dict(enumerate(lines)), Reading(join=reach))
@@ -115,7 +116,7 @@ def test_joining_takes_linear_time(ends: object) -> None:
         lines = {}
         for k in range(size):
             a, b, c, d = map(Fraction, ends(k))  # type: ignore[operator]
-            lines[k] = OpenLine("", (Point(a, b), Point(c, d)))
+            lines[k] = OpenLine(Candidate("", list), (Point(a, b), Point(c, d)))
         list(join(lines, Reading()))
 
     require_linear(join_lines, size=500)

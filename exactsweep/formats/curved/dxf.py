@@ -53,7 +53,7 @@ def parse_dxf(text: str, reading: Reading) -> list[Candidate]:
 
 
 def _draw(placed: PlacedEntity, reading: Reading) -> Candidate | OpenLine:
-    place, layer, kind = placed.place, placed.layer, placed.entity.kind
+    kind, shape = placed.entity.kind, Candidate(placed.place, list, layer=placed.layer)
     try:
         if placed.fault:
             raise FormatError(placed.fault)
@@ -64,14 +64,10 @@ def _draw(placed: PlacedEntity, reading: Reading) -> Candidate | OpenLine:
         path = _READERS[kind](placed.entity, placed.image, reading)
     except ValueError as error:
         is_ornament = isinstance(error, OrnamentError)
-        return Candidate.refused(f"{place}: {error}", layer=layer, ornament=is_ornament)
-    straight = len(path.points) == 2 and path.is_exact
-    ends = path.points[0], path.points[-1]
-    is_exact = not placed.image.off and kind not in _ROUND
-    line = OpenLine(place, ends, None if straight else path, is_exact, layer=layer)
+        return shape.rejected(f"{shape.place}: {error}", ornament=is_ornament)
     if path.is_closed and (len(path.points) > 2 or path.curves):
-        return draw_outline(path, line, reading)
-    return line
+        return draw_outline(path, shape, reading)
+    return OpenLine.of(shape, path, is_exact=not placed.image.off and kind not in _ROUND)
 
 
 def _read_line(entity: Entity, image: Affine, reading: Reading) -> Path:

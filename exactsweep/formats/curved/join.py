@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections import Counter, defaultdict
 from collections.abc import Container, Hashable, Iterable, Iterator, Mapping, Sequence
 from fractions import Fraction
-from functools import partial
 from typing import NamedTuple
 
 from exactsweep.formats.candidate import Candidate
@@ -18,7 +17,6 @@ from exactsweep.formats.curved.path import (
 )
 from exactsweep.formats.decimals import show_point
 from exactsweep.formats.error import FormatError
-from exactsweep.formats.filling import Rule
 from exactsweep.formats.reading import Reading
 from exactsweep.formats.rounded import find_rounded
 from exactsweep.numbers.error import name_refusals
@@ -35,23 +33,23 @@ class OpenLine(NamedTuple):
     """An open line.
 
     Attributes:
-        place: its kind and line in the file, for messages.
+        shape: its place, names and fill rule.
         ends: its first and its last point.
         path: the path between them; None for a straight one.
         is_exact: whether its ends are exact.
-        name, layer: its id and its layer, or None.
-        rule: its fill rule, if it is filled and so closed; else None.
-        groups: as for `Candidate`.
     """
 
-    place: str
+    shape: Candidate
     ends: tuple[Point, Point]
     path: Path | None = None
     is_exact: bool = True
-    name: str | None = None
-    layer: str | None = None
-    rule: Rule | None = None
-    groups: tuple[str, ...] = ()
+
+    @classmethod
+    def of(cls, shape: Candidate, path: Path, *, is_exact: bool) -> OpenLine:
+        """Make the line of a path."""
+        is_straight = len(path.points) == 2 and path.is_exact
+        ends = path.points[0], path.points[-1]
+        return cls(shape, ends, None if is_straight else path, is_exact)
 
     @property
     def key(self) -> Hashable:
@@ -77,7 +75,7 @@ def gather(drawn: Iterable[Candidate | OpenLine], reading: Reading) -> list[Cand
     lines: defaultdict[str | None, dict[int, OpenLine]] = defaultdict(dict)
     for order, one in enumerate(drawn):
         if isinstance(one, OpenLine):
-            lines[one.layer][order] = one
+            lines[one.shape.layer][order] = one
         else:
             found.append((order, one))
     for loose in lines.values():
@@ -113,7 +111,7 @@ def join(lines: Mapping[int, OpenLine], reading: Reading) -> Iterator[tuple[int,
         try:
             placed.append((order, line, ends or [*map(joints.find, line.ends)]))
         except FormatError as error:
-            yield order, _refuse(line, f"{line.place}: {error}")
+            yield order, line.shape.rejected(f"{line.shape.place}: {error}")
     if not all(exact):
         _note_gaps(placed, joints, reading)
     found: dict[tuple[int, int, Hashable], _Joined] = {}
@@ -127,28 +125,23 @@ def join(lines: Mapping[int, OpenLine], reading: Reading) -> Iterator[tuple[int,
                     lost[i].append(joined)
             elif _is_long(line, 4 * joints.reach):
                 path = line.run(joints.points[i], joints.points[i])
-                yield order, draw_outline(path, line, reading)
+                yield order, draw_outline(path, line.shape, reading)
             elif line.ends[0] != line.ends[1]:
                 lost[i].append(joined)
         except FormatError as error:
-            yield order, _refuse(line, f"{line.place}: {error}")
+            yield order, line.shape.rejected(f"{line.shape.place}: {error}")
     passed = {joint for line in found.values() for joint in line.joints}
     for joint, short in lost.items():
         order, start, _ = short[0]
         vanished = f"dropped {count(len(short), 'line')} shorter than the --join distance"
-        reason = f"{start.place}: {vanished}"
+        reason = f"{start.shape.place}: {vanished}"
         ends_of = Counter(end for one in short for end in one.line.ends)
         if joint not in passed or not any(number % 2 for number in ends_of.values()):
             alone = len(short) == 1 and not start.path
-            yield order, _refuse(start, reason, ornament=alone)
+            yield order, start.shape.rejected(reason, ornament=alone)
         elif len(short) > 1:
             reading.notes[reason] = None
     yield from _outlines(list(found.values()), joints.points, lost, reading)
-
-
-def _refuse(line: OpenLine, reason: str, *, ornament: bool = False) -> Candidate:
-    found = Candidate.refused(reason, line.name, line.layer, ornament=ornament)
-    return found._replace(groups=line.groups)
 
 
 def _is_long(line: OpenLine, reach: Fraction) -> bool:
@@ -172,7 +165,7 @@ def _note_gaps(
             x, y = first.setdefault(joint, end)
             gap = max(abs(x - end.x), abs(y - end.y)) if end is not first[joint] else 0
             if gap * _ROUNDED > joints.reach and gap > (reading.join or 0):
-                gaps.append((gap, line.place))
+                gaps.append((gap, line.shape.place))
     if gaps:
         gap, where = max(gaps)
         note = f"{count(len(gaps), 'gap')} up to {float(gap):.2g} closed at curves ({where})"
@@ -265,21 +258,18 @@ def _outlines(
                 together += new
         joined = [lines[k].line for k in sorted(together)]
         order, start, joints = lines[first]
-        name = next((line.name for line in joined if line.name is not None), None)
-        if fault and len(joined) == 1 and start.rule and start.path:
-            path = start.path.closed()
-            reading.notes[f"{start.place}: open path, closed by its fill"] = None
-            yield order, draw_outline(path, start, reading)
+        named = (line.shape.name for line in joined if line.shape.name is not None)
+        shape = start.shape._replace(name=next(named, None))
+        if fault and len(joined) == 1 and shape.rule and start.path:
+            reading.notes[f"{shape.place}: open path, closed by its fill"] = None
+            yield order, draw_outline(start.path.closed(), shape, reading)
         elif fault:
             alone = len(joined) == 1 and not start.path
             alone = alone and not any(joint in lost for joint in joints)
-            refused = _refuse(start._replace(name=name), fault, ornament=alone)
-            yield order, refused._replace(points=tuple(_list_points(joined)))
+            rejected = shape.rejected(fault, ornament=alone)
+            yield order, rejected._replace(points=tuple(_list_points(joined)))
         else:
-            yield (
-                order,
-                draw_outline(_walk(lines, at, points, first), start._replace(name=name), reading),
-            )
+            yield order, draw_outline(_walk(lines, at, points, first), shape, reading)
 
 
 def _list_points(lines: Iterable[OpenLine]) -> Iterator[Point]:
@@ -289,9 +279,9 @@ def _list_points(lines: Iterable[OpenLine]) -> Iterator[Point]:
 
 def _fault(line: OpenLine, end: Point, count: int, reading: Reading) -> str:
     if count > 1:
-        return f"{line.place}: {count} ends meet at {show_point(end)}"
+        return f"{line.shape.place}: {count} ends meet at {show_point(end)}"
     exactly = "" if reading.join else " exactly; --join DISTANCE closes small gaps"
-    return f"{line.place}: open end at {show_point(end)}: no other end meets it{exactly}"
+    return f"{line.shape.place}: open end at {show_point(end)}: no other end meets it{exactly}"
 
 
 def _walk(
@@ -316,20 +306,21 @@ def _walk(
             return outline
 
 
-def draw_outline(path: Path, line: OpenLine, reading: Reading) -> Candidate:
-    """Make the candidate of a closed path, filled by SVG's rule if it is not simple."""
-    vertices = partial(flatten_named, line.place, path, reading)
-    found = Candidate(line.place, vertices, line.name, line.layer, error=path.find_error(reading))
-    finer = partial(_draw_finer, path, line, reading) if found.error else None
-    found = found._replace(rule=line.rule or "nonzero", finer=finer, groups=line.groups)
-    return found._replace(rounded=find_rounded(path))
+def draw_outline(path: Path, shape: Candidate, reading: Reading) -> Candidate:
+    """Return a shape with the outline of a closed path, filled by SVG's rule if not simple."""
 
+    def read_vertices() -> list[Point]:
+        with name_refusals(shape.place):
+            return path.flatten(reading)
 
-def _draw_finer(path: Path, line: OpenLine, reading: Reading, tolerance: Fraction) -> Candidate:
-    return draw_outline(path, line, reading.at(tolerance))
+    def find_finer(tolerance: Fraction) -> Candidate:
+        return draw_outline(path, shape, reading.at(tolerance))
 
-
-def flatten_named(place: str, path: Path, reading: Reading) -> list[Point]:
-    """Flatten a path; an error names its place."""
-    with name_refusals(place):
-        return path.flatten(reading)
+    error = path.find_error(reading)
+    return shape._replace(
+        vertices=read_vertices,
+        error=error,
+        rule=shape.rule or "nonzero",
+        finer=find_finer if error else None,
+        rounded=find_rounded(path),
+    )

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, NoReturn
 from exactsweep.formats.candidate import Candidate, allow_faults
 from exactsweep.formats.curved.affine import Affine
 from exactsweep.formats.curved.dots import draw_dot, is_point
-from exactsweep.formats.curved.join import OpenLine, flatten_named, gather
+from exactsweep.formats.curved.join import OpenLine, draw_outline, gather
 from exactsweep.formats.curved.path import (
     Path,
     draw_circle,
@@ -28,7 +28,6 @@ from exactsweep.formats.depth import nest_lines
 from exactsweep.formats.error import FormatError, OrnamentError
 from exactsweep.formats.filling import Filled, fill
 from exactsweep.formats.reading import Reading
-from exactsweep.formats.rounded import find_rounded
 from exactsweep.geometry.canonical import PolygonError
 from exactsweep.numbers.error import quote
 from exactsweep.numbers.number import Point
@@ -183,11 +182,12 @@ def find_reason_hidden(placed: PlacedElement) -> str:
 
 def _read(shape: PlacedElement, reading: Reading) -> list[Candidate | OpenLine]:
     """Read the regions and open lines that a shape draws."""
-    name, layer, groups = _name(shape), shape.layer, shape.groups
+    whole = Candidate(shape.place, list, _name(shape), shape.layer, groups=shape.groups)
     try:
         matrix = shape.matrix
     except FormatError as error:
-        return [Candidate.refused(str(error), name, layer)._replace(groups=groups)]
+        return [whole.rejected(str(error))]
+    whole = whole._replace(words=tuple(shape.element.get("class", "").split()))
     try:
         found = SHAPES[name_kind(shape.element)](shape, matrix, reading)
         if reading.dots:
@@ -200,29 +200,22 @@ def _read(shape: PlacedElement, reading: Reading) -> list[Candidate | OpenLine]:
         if len(found) > 1 and is_filled(shape):
             closed += [path.closed() for path in opened if len(path.points) > 2 or path.curves]
             opened = [path for path in opened if len(path.points) == 2 and not path.curves]
-        words = tuple(shape.element.get("class", "").split())
-        if is_filled(shape):
-            regions = _draw_regions(closed, shape, reading)
+        drawn: list[Candidate | OpenLine] = []
+        if len(closed) > 1 and is_filled(shape):
+            drawn += _draw_regions(closed, whole._replace(rule=shape.rule), reading)
         else:
             # Lines alone have no fill: each is an outline, and those inside others are holes.
-            lines = [one for path in closed for one in _draw_regions([path], shape, reading)]
-            regions = nest_lines(lines) if len(lines) > 1 else lines
-        drawn: list[Candidate | OpenLine] = [
-            one._replace(words=words, groups=groups) for one in regions
-        ]
+            outline = whole._replace(rule=shape.rule)
+            lines = [draw_outline(path, outline, reading) for path in closed]
+            drawn += nest_lines(lines) if len(lines) > 1 else lines
         if not drawn and not opened:
             raise OrnamentError("its fill rule fills nothing" if closed else _TOO_FEW)
     except ValueError as error:
         is_ornament = isinstance(error, OrnamentError)
-        refused = Candidate.refused(f"{shape.place}: {error}", name, layer, ornament=is_ornament)
-        return [refused._replace(groups=groups)]
-    for path in opened:
-        straight = len(path.points) == 2 and path.is_exact
-        ends = path.points[0], path.points[-1]
-        line = OpenLine(shape.place, ends, None if straight else path, not matrix.off, name, layer)
-        rule = shape.rule if is_filled(shape) else None
-        drawn.append(line._replace(rule=rule, groups=groups))
-    return drawn
+        return [whole.rejected(f"{shape.place}: {error}", ornament=is_ornament)]
+    if is_filled(shape):
+        whole = whole._replace(rule=shape.rule)
+    return drawn + [OpenLine.of(whole, path, is_exact=not matrix.off) for path in opened]
 
 
 def is_filled(shape: PlacedElement) -> bool:
@@ -231,22 +224,11 @@ def is_filled(shape: PlacedElement) -> bool:
 
 
 def _draw_regions(
-    closed: Sequence[Path], shape: PlacedElement, reading: Reading
+    closed: Sequence[Path], shape: Candidate, reading: Reading
 ) -> Sequence[Candidate]:
     """Read the regions that closed paths draw together, by the fill rule."""
-    if not closed:
-        return ()
-    place, rule = shape.place, shape.rule
-    whole = Candidate(place, list, _name(shape), shape.layer, rule=rule)
-    whole = whole._replace(error=max(path.find_error(reading) for path in closed))
-    if len(closed) == 1:
-        vertices = partial(flatten_named, place, closed[0], reading)
-        finer = partial(_draw_finer, closed, shape, reading, 0)
-        whole = whole._replace(vertices=vertices, finer=finer)
-        return [whole._replace(rounded=find_rounded(closed[0]))]
-    if rule is None:
-        found = shape.inherited("fill-rule", "nonzero")
-        raise FormatError(f"the fill rule {quote(found)} is neither nonzero nor evenodd")
+    rule = shape.rule or "nonzero"
+    whole = shape._replace(error=max(path.find_error(reading) for path in closed))
 
     def fill_simply(rings: Sequence[Sequence[Point]]) -> Filled:
         filled = fill(rings, rule)
@@ -259,7 +241,7 @@ def _draw_regions(
     if filled is None:
         number = count(len(pieces), "polygon")
         crossing = "its subpaths intersect"
-        reading.notes[f"{place}: {crossing}: {number} by its fill rule"] = None
+        reading.notes[f"{shape.place}: {crossing}: {number} by its fill rule"] = None
     return [
         piece._replace(finer=partial(_draw_finer, closed, shape, reading, k))
         for k, piece in enumerate(pieces)
@@ -267,7 +249,7 @@ def _draw_regions(
 
 
 def _draw_finer(
-    closed: Sequence[Path], shape: PlacedElement, reading: Reading, k: int, tolerance: Fraction
+    closed: Sequence[Path], shape: Candidate, reading: Reading, k: int, tolerance: Fraction
 ) -> Candidate | None:
     found = _draw_regions(closed, shape, reading.at(tolerance))
     return found[k] if k < len(found) else None

@@ -63,9 +63,9 @@ def read_path(data: str, matrix: Affine, reading: Reading) -> list[Path]:
         reading.allow_vertices(count // size if size else 1)
         # The flags of arcs may make one number.
         if (size and letter not in "Aa" and count % size) or bool(size) != bool(count):
-            found = quote(data[place + 1 : place + 21]) if data[place + 1 :] else "the end"
+            after = quote(data[place + 1 : place + 21]) if data[place + 1 :] else "the end"
             several = f"{size} numbers, or a multiple," if size else "no number"
-            _refuse(f"expected {several} after {letter}, found {found}", place)
+            _refuse(f"expected {several} after {letter}, found {after}", place)
         try:
             if letter in "Aa":
                 drawn.draw(letter, [[*map(read_decimal, arc)] for arc in re.findall(_ARC, numbers)])

@@ -121,10 +121,9 @@ class PlacedElement:
         return (*around, own) if own else around
 
     @property
-    def rule(self) -> Rule | None:
-        """The inherited fill rule; None for an unknown one."""
-        rule = self.inherited("fill-rule", "nonzero")
-        return "evenodd" if rule == "evenodd" else "nonzero" if rule == "nonzero" else None
+    def rule(self) -> Rule:
+        """The inherited fill rule; nonzero for an unknown one, as in browsers."""
+        return "evenodd" if self.inherited("fill-rule", "nonzero") == "evenodd" else "nonzero"
 
     def length(self, name: str, default: str | None = "0") -> Fraction:
         """Return an attribute in user units, at 96 px to the inch."""
