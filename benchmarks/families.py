@@ -42,7 +42,7 @@ def star(n: int, random: Random, size: int = 10**6) -> Ring:
 
 
 def radial(m: int, n: int, seed: int = 0) -> tuple[Ring, Ring]:
-    """Two spiky stars, monotone to no direction."""
+    """Two spiky stars, monotone in no direction."""
     random = Random(f"radial {m} {n} {seed}")
     return star(n, random), star(m, random)
 
@@ -73,5 +73,5 @@ FAMILIES: dict[str, Family] = {
     "figure10": figure10,
 }
 
-# Monotone to no shared direction: what the paper's procedures are not for.
+# Without a shared direction of monotonicity: beyond the paper's procedures.
 ANY_SHAPE: dict[str, Family] = {"radial": radial, "tangled": tangled}

@@ -49,7 +49,7 @@ def sweep(
     Raises:
         PolygonError: a polygon is not simple; the message begins with its name.
         NumberError: a coordinate is not an exact number; likewise.
-        DirectionError: a polygon is not monotone to the requested direction, or has a hole.
+        DirectionError: a polygon is not monotone in the requested direction, or has a hole.
 
     Cost: O(m + n) for CC and O(m n) for CM. For MM, O(m n log n) for the trajectory and
     O(m n^2 log n) for the loops (Corollaries 3.4, 4.5, 4.6, 5.7, 5.8).

@@ -104,7 +104,7 @@ def show_sweep(s: SweepAnswer) -> str:
     """Return HTML of a sweep: its picture, class, and the sizes of its loops."""
     rows = [
         ("class", CLASSES[s.kind]),
-        ("monotone to", "no shared direction" if s.direction is None else write_pair(s.direction)),
+        ("direction", "no shared direction" if s.direction is None else write_pair(s.direction)),
         ("reference", write_pair(s.reference)),
     ]
     loops = {

@@ -248,7 +248,7 @@ class SweepAnswer(Certified):
         names = "trajectory", "inner", "outer"
         loops = [(name, getattr(self, name)) for name in names]
         # Of kind "SS" there is no direction.
-        to = f"monotone to {write_vector(self.direction)}" if self.direction else "of any shape"
+        to = f"monotone in {write_vector(self.direction)}" if self.direction else "of any shape"
         return "\n".join(
             [f"{self.kind} sweep, {to}, area {abridge(self.area)}"]
             + [f"{name}, {len(loop)} vertices: {loop}" for name, loop in loops]

@@ -1,9 +1,9 @@
-"""Directions to which polygons are monotone.
+"""Directions in which polygons are monotone.
 
-A polygon is monotone to u if every line perpendicular to u meets it in one piece: one run of its
-edges goes forward along u, the other one backward. It is strictly monotone if no edge is
-perpendicular to u. Monotonicity changes only at directions u that are perpendicular to an edge. So
-one rotation of u finds all directions.
+A polygon is monotone in direction u if every line perpendicular to u meets it in one piece: one
+chain of its edges runs forward along u, the other one backward. It is strictly monotone if no edge
+is perpendicular to u. Monotonicity changes only at directions perpendicular to an edge, so one
+rotation of u finds all directions.
 """
 
 from __future__ import annotations
@@ -28,18 +28,18 @@ Y_AXIS: Vector = (0, 1)
 
 
 class DirectionError(ExactSweepError):
-    """Polygons that are not monotone to a shared direction, or not to the requested one."""
+    """Polygons that are not monotone in a shared direction, or not to the requested one."""
 
 
 @dataclass(frozen=True)
 class Directions:
-    """The directions to which one polygon, or both of a pair, are monotone; u and -u are the same.
+    """The directions in which one polygon, or both of a pair, are monotone; u and -u are the same.
 
     Attributes:
         critical: the directions perpendicular to an edge, as primitive integer vectors, by angle
             from -90 degrees, exclusive, to 90 degrees.
         at: whether the polygons are monotone, at least weakly, to critical direction k.
-        after: whether they are strictly monotone to the directions between critical directions k
+        after: whether they are strictly monotone in the directions between critical directions k
             and k + 1. After the last k comes the first direction, after a half turn.
 
     >>> print(find_monotone_directions(Polygon([(0, 0), (2, 1), (4, 0), (4, 3), (0, 3)])))
@@ -170,7 +170,7 @@ def read_direction(direction: Iterable[object]) -> Vector:
 
 
 def find_monotone_directions(polygon: Polygon) -> Directions:
-    """Find all directions to which a polygon is monotone; cached by the polygon.
+    """Find all directions in which a polygon is monotone; cached by the polygon.
 
     u makes a full turn while the sign changes of the edges along the boundary are counted. The
     polygon is monotone where there are two. Cost: O(n log n).
@@ -214,7 +214,7 @@ def _turn_through(edges: Sequence[Vertex]) -> Directions:
 
 
 def is_monotone(polygon: Polygon, direction: Vector, *, strict: bool = False) -> bool:
-    """Decide whether a polygon is monotone to one direction, at least weakly. Cost: O(n)."""
+    """Decide whether a polygon is monotone in one direction, at least weakly. Cost: O(n)."""
     p, q = direction
     along = [p * x + q * y for x, y in polygon.lattice()[1]]
     steps = list(map(sub, along, along[-1:] + along))

@@ -40,7 +40,7 @@ _SMALL: tuple[Vector, ...] = (Y_AXIS, (1, -1), (1, 1), (1, -2), (1, 2), (2, -1),
 
 
 def choose_direction(generatrix: Polygon, directrix: Polygon) -> Vector:
-    """Choose a direction to which both polygons are monotone.
+    """Choose a direction in which both polygons are monotone.
 
     The choice is the X axis if possible, else a strict direction with small components, else any
     shared direction. Raises DirectionError, with the directions of each polygon, if there is none.
@@ -76,10 +76,10 @@ def find_shared_direction(generatrix: Polygon, directrix: Polygon) -> Vector | N
 
 
 def require_monotone(polygon: Polygon, direction: Vector, name: str) -> None:
-    """Raise DirectionError if a polygon is not monotone to the requested direction."""
+    """Raise DirectionError if a polygon is not monotone in the requested direction."""
     if not is_monotone(polygon, direction):
         raise DirectionError(
-            f"the {name} is not monotone to {write_vector(direction)}, "
+            f"the {name} is not monotone in direction {write_vector(direction)}, "
             f"{write_degrees(direction)} degrees; "
             f"its directions of monotonicity: {find_monotone_directions(polygon)}"
         )

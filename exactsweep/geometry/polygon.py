@@ -49,7 +49,7 @@ class Polygon(PointSet):
             the input; edge i runs from vertex i to the next.
         NumberError: a coordinate that is not an exact number.
 
-    Cost: O(n) for a polygon of n vertices that is convex or monotone to the X axis, O(n log n) for
+    Cost: O(n) for a polygon of n vertices that is convex or monotone in X, O(n log n) for
     any other.
 
     Example:

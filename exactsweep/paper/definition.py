@@ -141,7 +141,9 @@ class _IntegerFrame:
         top = sorted(LinearPiece(*q, *p) for p, q in edges if p[0] > q[0])
         # The ring is monotone if bottom and top each cover the x-range once.
         if any(p.x1 != q.x0 for half in (bottom, top) for p, q in pairwise(half)):
-            raise ExactSweepError(f"the {name} is not monotone in ({self._ux}, {self._uy})")
+            raise ExactSweepError(
+                f"the {name} is not monotone in direction ({self._ux}, {self._uy})"
+            )
         return tuple(bottom), tuple(top)
 
     def _back(self, x: Rational, y: Rational) -> Vertex:

@@ -1,6 +1,6 @@
 """X-monotone chains and their convex parts (Sections 2 to 4, Definitions 3.1, 5.1 and 5.2).
 
-A polygon that is monotone to the X axis has a bottom chain and a top chain (Figure 2). The inverse
+A polygon that is monotone in X has a bottom chain and a top chain (Figure 2). The inverse
 of a top chain is a bottom chain. So every `Chain` runs from left to right and bounds a region above
 it. Vertical edges may stand anywhere (weak monotonicity). Numbers are ints, unless the common
 denominator of a polygon is too long (`Polygon.lattice`); homogeneous coordinates keep crossings in

@@ -109,7 +109,7 @@ class _Teller:
             )
         elif s.direction and s.direction != (1, 0):
             yield (
-                f"Both polygons are monotone to {write_pair(s.direction)}. "
+                f"Both polygons are monotone in direction {write_pair(s.direction)}. "
                 "The words below, above, left and right assume that this direction points right."
             )
         yield (

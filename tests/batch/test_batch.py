@@ -70,7 +70,7 @@ PAIR = '{"generatrix": "square", "directrix": "notch"'
 
 
 def test_deep_pairs_and_strange_directions_are_error_records() -> None:
-    said = "the directrix is not monotone to (0, 1)"
+    said = "the directrix is not monotone in direction (0, 1)"
     assert line_record(PAIR + ', "direction": [0, 1]}')["error"].startswith(said)
     assert line_record('{"generatrix":' + "[" * 100_000)["error"] == "nested too deeply"
 

@@ -291,7 +291,7 @@ def test_sweeps_and_their_loops_tell_about_themselves() -> None:
     assert [loop.is_convex for loop in loops(s)] == [False, False, False]
     assert [loop.is_convex for loop in loops(sweep(UNIT, UNIT))] == [True, True, True]
     assert str(s).splitlines() == [
-        "CM sweep, monotone to (1, 0), area 83/4",
+        "CM sweep, monotone in (1, 0), area 83/4",
         "trajectory, 7 vertices: (-1, -1) (4, -1) (4, 3) (3, 3) (3/2, 3/2) (0, 3) (-1, 3)",
         "inner, 6 vertices: (0, 0) (4, 0) (4, 3) (5/2, 3/2) (3/2, 3/2) (0, 3)",
         "outer, 7 vertices: (-1, -1) (5, -1) (5, 4) (3, 4) (2, 3) (1, 4) (-1, 4)",

@@ -192,7 +192,8 @@ def test_no_shared_direction_is_refused_with_the_directions_of_both() -> None:
 def test_direction_asked_for_is_refused_with_those_there_are() -> None:
     with pytest.raises(DirectionError) as caught:
         sweep(UNIT, NOTCHED, direction=("1/2", 0))
-    assert str(caught.value).startswith("the directrix is not monotone to (1, 0), 0 degrees; ")
+    start = "the directrix is not monotone in direction (1, 0), 0 degrees; "
+    assert str(caught.value).startswith(start)
     assert str(caught.value).endswith(str(find_monotone_directions(Polygon(NOTCHED))))
 
 

@@ -96,7 +96,7 @@ def test_numbers_as_long_as_their_intervals_are_distinguished() -> None:
 
 
 def long_star(n: int, digits: int) -> list[tuple[Fraction, Fraction]]:
-    """A star that is monotone to nothing, of unrelated denominators."""
+    """A star that is monotone in no direction, with unrelated denominators."""
     rng = Random(n)
     points = []
     for k in range(n):

@@ -179,10 +179,12 @@ def test_fork_in_two_slots_fits_with_both_prongs() -> None:
 def test_direction_is_respected() -> None:
     """A slot that opens to the right; only horizontal lines meet it in one piece each."""
     lying = [(y, x) for x, y in SLOT]
-    with pytest.raises(ValueError, match="the directrix is not monotone in \\(1, 0\\)"):
+    with pytest.raises(ValueError, match="the directrix is not monotone in direction \\(1, 0\\)"):
         reference_loops(UNIT, lying)
     for evaluate in (reference_loops, reference_exact_fits):
-        with pytest.raises(ValueError, match="the generatrix is not monotone in \\(1, 0\\)"):
+        with pytest.raises(
+            ValueError, match="the generatrix is not monotone in direction \\(1, 0\\)"
+        ):
             evaluate(lying, UNIT)
     ((hanging, inner),) = reference_exact_fits(UNIT, lying, (0, -2))
     assert (hanging, inner) == (Point(Fraction(3), Fraction(1)), Point(Fraction(1), Fraction(1)))

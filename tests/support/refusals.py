@@ -21,7 +21,7 @@ NAMES: dict[str, Any] = {
     "Decimal": Decimal,
     "SQUARE": [(0, 0), (9, 0), (9, 9), (0, 9)],
     "SMALL": [(1, 1), (3, 1), (3, 3), (1, 3)],
-    # Monotone to all directions near the X axis, and near the Y axis.
+    # Monotone in all directions near the X axis, and near the Y axis.
     "STANDING": [(0, 0), (3, 0), (3, 2), (0, 2), (2, 1)],
     "LYING": [(0, 0), (0, 3), (2, 3), (2, 0), (1, 2)],
 }

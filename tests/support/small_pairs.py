@@ -22,7 +22,7 @@ Shape = list[Ring]
 Draw = Callable[[Random], Shape]
 FARTHEST = 2**40  # from the origin, along either axis
 SMALL = 14
-TABLE = 3000  # shapes that are monotone to no direction
+TABLE = 3000  # shapes that are monotone in no direction
 FACTOR = 2**34  # beyond what the kernel rounds slopes and places to
 
 
@@ -71,7 +71,7 @@ def bent(rng: Random) -> Shape:
 
 @cache
 def _bent(number: int) -> Shape:
-    """Draw a shape from a table, because most small shapes are monotone to some direction."""
+    """Draw a shape from a table, because most small shapes are monotone in some direction."""
     rng = Random(number)
     while shares_direction(SmallPair(shape := rng.choice([tangle, clump])(rng), shape)):
         pass
@@ -79,7 +79,7 @@ def _bent(number: int) -> Shape:
 
 
 def standing(rng: Random) -> Shape:
-    """A polygon that is monotone to the Y axis."""
+    """A polygon that is monotone in Y."""
     return _turned(rng.choice(MONOTONE)(rng), TURNS[0])
 
 
@@ -196,7 +196,7 @@ def _draw_pair(rng: Random, classes: list[tuple[list[Draw], list[Draw]]]) -> Sma
 
 
 def shares_direction(pair: SmallPair) -> bool:
-    """Decide whether both are monotone to one direction; with holes they are not."""
+    """Decide whether both are monotone in one direction; polygons with holes are not."""
     rings = [tuple(ring) for shape in pair for ring in shape]
     return len(rings) == 2 and has_shared_direction(rings)
 
@@ -323,7 +323,7 @@ def _nearer(c: int) -> int:
 
 
 def has_shared_direction(rings: Any) -> bool:
-    """Decide whether all rings are weakly monotone to one direction, square to some edge."""
+    """Decide whether all rings are weakly monotone in one direction perpendicular to some edge."""
     edges = [
         [(q[0] - p[0], q[1] - p[1]) for p, q in zip(r, [*r[1:], r[0]], strict=True)] for r in rings
     ]

@@ -116,7 +116,7 @@ def tangent_pair(random: Prng) -> RingPair:
 def turned_pair(random: Prng) -> RingPair:
     """A pair of the family "grid", "monotone" or "fits", mapped by an integer matrix.
 
-    It is then usually not monotone to the X axis.
+    It is then usually not monotone in X.
     """
     rings = random.choice([grid_pair, monotone_pair, fits_pair])(random)
     (a, b), (c, d) = random.choice(MATRICES)

@@ -1,4 +1,4 @@
-"""Random rings with integer coordinates: convex, or weakly monotone to the X axis.
+"""Random rings with integer coordinates: convex, or weakly monotone in X.
 
 All are counter-clockwise, simple by construction, and not closed.
 """
