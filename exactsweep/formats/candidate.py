@@ -8,7 +8,7 @@ from functools import partial
 from itertools import chain
 from typing import NamedTuple, NoReturn, Self, TypeVar
 
-from exactsweep.formats.curved.curves import bound_root
+from exactsweep.formats.curved.curves import round_root_up
 from exactsweep.formats.curved.path import SimpleLines
 from exactsweep.formats.error import FormatError
 from exactsweep.formats.filling import Filled, Rule, fill
@@ -129,10 +129,7 @@ class Candidate(NamedTuple):
         layer: str | None = None,
         error: Fraction = Fraction(0),
     ) -> Self:
-        """Make a candidate of rings, the exterior first, each by its place and its reader.
-
-        By default the place is that of the exterior.
-        """
+        """Make a candidate of the exterior and the holes, each by its place and its reader."""
         exterior, *holes = (cls(where, read) for where, read in rings)
         return exterior._replace(
             place=place or exterior.place,
@@ -166,12 +163,7 @@ class Candidate(NamedTuple):
         )
 
     def read(self, read: Callable[[Candidate], _Any], said: Said) -> list[_Any]:
-        """Read the outline, or the regions that it fills if it is not simple.
-
-        Args:
-            read: `Candidate.named_polygon`, for instance.
-            said: collects notes on filled regions, and the reasons of omissions.
-        """
+        """Read the outline, or the regions that it fills if it is not simple."""
         if not self.clean:
             try:
                 return [read(self)]
@@ -207,7 +199,7 @@ class Candidate(NamedTuple):
 
     def take_filled(self, filled: Filled) -> list[Self]:
         """Return a candidate for each region that its rings fill."""
-        error = self.error + bound_root(filled.hidden)
+        error = self.error + round_root_up(filled.hidden)
         found: list[Self] = []
         for region in filled.regions:
             readers = [(f"{self.place}: ring {k}", ring.copy) for k, ring in enumerate(region)]

@@ -14,11 +14,7 @@ _SHOWN = 4
 
 
 def choose(candidates: Sequence[Candidate], choice: str | None) -> Candidate:
-    """Find the candidate that a choice names; None means the only one.
-
-    Raises:
-        FormatError: no candidate, or several.
-    """
+    """Find the candidate that a choice names, or the only one; raises FormatError."""
     if choice is not None:
         found = select(candidates, choice)
         if len(found) == 1:
@@ -26,7 +22,9 @@ def choose(candidates: Sequence[Candidate], choice: str | None) -> Candidate:
         kind = "name" if found[0].name == choice else "layer"
         indices = [i for i, one in enumerate(candidates) if one in found]
         if not indices:
-            number = f"the group {quote(choice)} has {len(found)} outlines, not one"
+            number = (
+                f"the group {quote(choice)} has {len(found)} outlines, not one; choose one by index"
+            )
             raise FormatError(found[0].fault or number)
         raise FormatError(
             f"{len(found)} polygons have the {kind} {quote(choice)}; choose one by index: "
@@ -53,16 +51,10 @@ def choose(candidates: Sequence[Candidate], choice: str | None) -> Candidate:
 
 
 def select(candidates: Sequence[Candidate], choice: str) -> list[Candidate]:
-    """Find all candidates that a choice names.
+    """Find all candidates that a choice names: a name, an index from 0, a layer or a group.
 
-    Args:
-        candidates: the candidates of a file, in order.
-        choice: a name, an index from 0, a layer or a group, tried in this order; or "layer:" and a
-            layer.
-
-    Returns:
-        At least one Candidate. A layer omits rejected ones if it has others; outlines inside others
-        of a group are holes.
+    They are tried in this order; "layer:" before a name restricts it to layers. A layer omits
+    rejected candidates if it has others; outlines inside others of a group are holes.
 
     Raises:
         FormatError: no such candidate.

@@ -25,11 +25,10 @@ class Nested(NamedTuple):
     """Outlines after nesting.
 
     Attributes:
-        outlines: one Candidate for each ring inside an even number of others, in order, with the
-            rings just inside as holes. Outlines that are not simple polygons stay apart.
-        holes: pairs of an outline that became a hole and the outline around it; an outline's own
-            holes are not among them.
-        islands: pairs of a polygon in a hole and that hole, among all rings.
+        outlines: one for each ring inside an even number of others, with the rings just inside as
+            holes, and one for each ring that is not a simple polygon.
+        holes: pairs of an outline that became a hole and the outline around it.
+        islands: pairs of a polygon in a hole and that hole.
         ambiguous: pairs of an outline and two crossing outlines around it, not among `outlines`.
     """
 
@@ -40,12 +39,10 @@ class Nested(NamedTuple):
 
 
 def nest_candidates(outlines: Sequence[Candidate]) -> list[Candidate]:
-    """Turn outlines inside others into holes, by depth.
+    """Turn outlines inside others into holes, by depth; ornaments stay apart.
 
     An outline inside two crossing ones is rejected. If one outline is not a simple polygon, all
-    are, because the holes are unknown. Ornaments stay apart.
-
-    Cost: that of `nest_outlines`.
+    are, because the holes are unknown.
     """
     plain = [outline for outline in outlines if not outline.ornament]
     try:
@@ -67,12 +64,7 @@ def nest_lines(outlines: Sequence[Candidate]) -> list[Candidate]:
 
 
 def separate_holes(outline: Candidate) -> tuple[Region, list[Region]]:
-    """Read an outline, and its holes as regions if they touch or cross it or each other.
-
-    Raises:
-        FormatError: as by `Candidate.region`.
-        PolygonError: a ring is not simple.
-    """
+    """Read an outline, and holes that touch or cross it or each other as regions."""
     try:
         return outline.region(), []
     except PolygonError:
@@ -97,14 +89,11 @@ def tell_place(outline: Candidate) -> str:
 
 
 def nest_outlines(outlines: Sequence[Candidate]) -> Nested:
-    """Turn outlines inside others into holes; outlines may cross.
+    """Turn outlines, which may cross, into polygons with holes.
 
     An outline inside an odd number of others is a hole of the innermost one, one inside an even
     number a polygon. Of equal outlines inside the same polygon the first is a hole, and the others
     are polygons in it; other equal outlines are polygons on top of each other.
-
-    Args:
-        outlines: those of a file, without ornaments. An outline keeps its own holes.
 
     Cost: O(m n) at worst for each pair of rings of m and n vertices of which one box is inside the
         other.
@@ -212,10 +201,7 @@ def _find_polygon(ring: Candidate) -> Polygon | None:
 
 
 class _Nesting:
-    """Rings by the rings around them.
-
-    Args:
-        rings: Polygons, or None.
+    """Polygons by the rings around them.
 
     Attributes:
         parents: for each ring the innermost ring around it, or None.

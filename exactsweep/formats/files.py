@@ -4,7 +4,7 @@ import re
 import sys
 from codecs import BOM_UTF16_BE, BOM_UTF16_LE
 from collections.abc import Iterator
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from typing import BinaryIO
 
 from exactsweep.formats.error import FormatError
@@ -16,6 +16,9 @@ from exactsweep.numbers.limits import get_max_bytes
 DXF_SIGN = re.compile(r"(?:\s*+999[^\S\n]*+\n[^\n]*+\n)*+\s*+0[^\S\n]*+\n\s*+SECTION\b")
 """The pattern at the start of a DXF text."""
 _MOST_SHOWN = 400
+_XML_ENCODING = re.compile(
+    rb"\s*<\?xml\b[^>]*\bencoding\s*=\s*[\"'](iso-8859-\d+|windows-125\d)", re.IGNORECASE
+)
 
 
 @tells_arguments
@@ -23,7 +26,7 @@ def read_text(path: str) -> str:
     """Read a whole file, or standard input for "-", without a byte order mark.
 
     Raises:
-        FormatError: unreadable, larger than `limits` allow, or neither UTF-8 nor DXF.
+        FormatError: unreadable, beyond `limits`, or neither UTF-8, DXF nor declared XML.
     """
     if not isinstance(path, str):
         # `open` would interpret a number as an open file.
@@ -45,6 +48,9 @@ def read_text(path: str) -> str:
         from exactsweep.formats.plain import require_known
 
         require_known(data[:80].decode("latin-1"))
+        if declared := _XML_ENCODING.match(data):
+            with suppress(ValueError, LookupError):
+                return data.decode(declared[1].decode())
         # Older DXF has a code page, which affects names of layers only.
         latin = data.decode("latin-1")
         if DXF_SIGN.match(latin):

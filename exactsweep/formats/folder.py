@@ -23,13 +23,7 @@ ENDINGS = (".json", ".jsonl", ".geojson", ".wkt", ".csv", ".svg", ".dxf")
 
 
 class ListedPart(NamedTuple):
-    """A possible polygon among several.
-
-    Attributes:
-        name: its name, not necessarily unique.
-        file: the name of the file in messages.
-        candidate: the Candidate.
-    """
+    """A candidate with its name, not necessarily unique, and the name of its file."""
 
     name: str
     file: str
@@ -37,15 +31,7 @@ class ListedPart(NamedTuple):
 
 
 class Listing(NamedTuple):
-    """The contents of files.
-
-    Attributes:
-        files: the number of files.
-        parts: list of ListedPart.
-        left_out: the omitted elements, each with its file and the reason.
-        notes: further remarks.
-        coordinates: the direction of Y and the unit.
-    """
+    """The contents of files: their number, parts, omissions, notes and coordinates."""
 
     files: int
     parts: list[ListedPart]
@@ -146,11 +132,7 @@ _Turned = TypeVar("_Turned", Candidate, NamedRegion)
 def bring_to_one(files: Sequence[tuple[str, PartList[_Turned]]]) -> tuple[Coordinates, list[str]]:
     """Flip the Y axis of files in which it points down if it points up in others.
 
-    Args:
-        files: the name of each file, and its polygons, which are flipped in place.
-
-    Returns:
-        The coordinates of all files, without a unit if they have several; and notes.
+    Returns the coordinates of all files, without a unit if they have several, and notes.
     """
     systems = {found.coordinates for _, found in files}
     notes = []

@@ -14,12 +14,7 @@ _SHOWN = 4
 
 
 class Coordinates(NamedTuple):
-    """The meaning of coordinates.
-
-    Attributes:
-        y_down: whether Y points down, as in SVG.
-        unit: the millimetres of one unit; None if unknown.
-    """
+    """The direction of Y, and the millimetres of one unit; None if unknown."""
 
     y_down: bool = False
     unit: Fraction | None = None
@@ -52,14 +47,7 @@ class PartList(list[_Listed]):
         return PartList(items, self.coordinates, [*self.left_out, *left_out], self.notes)
 
     def read_each(self, read: Callable[[_Listed, Said], Iterable[_Read]]) -> PartList[_Read]:
-        """Read all items, and omit those that raise.
-
-        Args:
-            read: returns the results for one item; it may add notes and omissions.
-
-        Raises:
-            ValueError: nothing is left; of the class of the first error.
-        """
+        """Read all items, and omit those that raise ValueError; raise it if none is left."""
         found: list[_Read] = []
         said = Said([*self.notes], [*self.left_out])
         kind: type[ValueError] | None = None

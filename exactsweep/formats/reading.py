@@ -71,26 +71,16 @@ class Options(TypedDict, total=False):
 
 
 class Reading:
-    """The settings and the state of reading one text.
-
-    Args:
-        tolerance: the largest distance between curves and the lines that replace them; None for
-            about a thousandth of each outline.
-        nested, layers, ignored_layers, join, unit, hidden, y_down, clean: as for `Options`.
+    """The settings and the state of reading one text; the arguments are those of `Options`.
 
     Attributes:
-        tolerance, join: Fractions, or None.
         joining: the tolerance by whose fourth ends of curves are joined; None to choose it by the
             size of the drawing.
-        is_svg: whether the text is SVG, where Y points down.
         found_unit: the millimetres of the file's unit; None if the file does not state it.
         passed: the number of hidden elements for each reason.
-        notes: remarks.
-        lines: the number of lines that replace curves.
+        lines, vertices, copies, copied: the drawn lines of curves, vertices, elements of blocks and
+            uses, and their bytes.
         dots: whether dots with round caps are discs, as in layouts.
-        vertices: the number of drawn vertices.
-        copies: the number of elements that blocks or uses draw.
-        copied: their bytes, in addition to those of the file.
 
     Raises:
         FormatError: a number that is not positive, or an unknown unit.

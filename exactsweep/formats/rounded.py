@@ -26,7 +26,6 @@ class RoundedOutline(NamedTuple):
 
     Attributes:
         points: the corners of the hull, counter-clockwise; one for a disc, two for a slot.
-        radius: a positive number.
         error: a bound on the distance from the true outline, of an irrational map; mostly 0.
     """
 

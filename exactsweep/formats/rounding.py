@@ -26,7 +26,7 @@ from math import ceil, floor
 from typing import Literal, NamedTuple
 
 from exactsweep.formats.candidate import NamedRegion
-from exactsweep.formats.curved.curves import bound_root
+from exactsweep.formats.curved.curves import round_root_up
 from exactsweep.formats.error import FormatError
 from exactsweep.formats.filling import fill
 from exactsweep.geometry import overlap
@@ -169,7 +169,7 @@ def round_region(region: Region, places: int, side: Side = "closest") -> Rounded
     if side == "closest":
         rings = [[Point(round(x, places), round(y, places)) for x, y in r] for r in region.rings]
         distance = max(
-            bound_root(_measure(p, (q, q)))
+            round_root_up(_measure(p, (q, q)))
             for old, new in zip(region.rings, rings, strict=True)
             for p, q in zip(old, new, strict=True)
         )
@@ -231,7 +231,7 @@ def _move(ring: Sequence[Point], grid: Fraction) -> _Moved | None:
     hull = _hull(points)
     edges = [*pairwise((*hull, hull[0]))]
     far = max(min(_measure(point, edge) for edge in edges) for point in points)
-    return _scale(hull, max(bound_root(far), Fraction(3, 2)), grid)
+    return _scale(hull, max(round_root_up(far), Fraction(3, 2)), grid)
 
 
 def _scale(ring: Sequence[Point], distance: Fraction, grid: Fraction) -> _Moved:
@@ -331,7 +331,7 @@ def _distance(
         for j in range(i + 1, end):
             edge = new[-1], chains[k][0]
             largest = max(largest, _measure(points[j % len(points)], edge))
-    return bound_root(largest)
+    return round_root_up(largest)
 
 
 def _measure(point: Point, edge: Edge) -> Fraction:

@@ -23,10 +23,10 @@ from exactsweep.formats.curved.arc import make_arc
 from exactsweep.formats.curved.curves import (
     Bezier,
     Curve,
-    bound_root,
     find_arc_center,
     make_bezier,
     make_round_arc,
+    round_root_up,
 )
 from exactsweep.formats.curved.path import Path
 from exactsweep.formats.curved.spline import Spline
@@ -68,7 +68,7 @@ def assert_close_to_circle(
 ) -> None:
     """All of the line is in the ring of points within the tolerance of a circle."""
     # r lies between these two.
-    above = bound_root(square)
+    above = round_root_up(square)
     below = square / above if above else Fraction(0)
     for a, b in pairwise(line):
         assert (a.x - center.x) ** 2 + (a.y - center.y) ** 2 <= (below + tolerance) ** 2
@@ -78,7 +78,7 @@ def assert_close_to_circle(
 
 @given(st.integers(0, 10**12), st.sampled_from([1, 10**6, 10**60]))
 def test_roots_have_the_requested_error(square: int, scale: int) -> None:
-    above = bound_root(Fraction(square), scale)
+    above = round_root_up(Fraction(square), scale)
     assert max(above - Fraction(1, scale), Fraction(0)) ** 2 <= square <= above * above
 
 
@@ -93,7 +93,7 @@ def test_circles_stay_within_the_tolerance(
     line = draw(arc, (start, start), tolerance)
     assert line[0] == line[-1] == start
     assert_close_to_circle(line, center, radius * radius, tolerance)
-    assert len(line) <= 16 + 8 * bound_root(radius / tolerance)
+    assert len(line) <= 16 + 8 * round_root_up(radius / tolerance)
 
 
 @given(points, points, st.fractions(-9, 9, max_denominator=9), tolerances)
@@ -373,7 +373,7 @@ def test_scaled_elliptic_arcs_have_their_width(place: int, sign: int) -> None:
     found = draw(arc, (image.point(*end) for end in ends), Fraction(1, 10))
     across = [p.x + p.y for p in found]
     # Up and to the left of the middle of the chord by the height of a triangle of equal sides.
-    height = bound_root(Fraction(3, 4), 10**20)
+    height = round_root_up(Fraction(3, 4), 10**20)
     center = image.point(Fraction(3, 10) + height * 4 / 5, Fraction(2, 5) - height * 3 / 5)
     middle, reach = center.x + center.y, 10**4
     assert abs(min(across) - (middle - reach)) < Fraction(1, 5)

@@ -28,6 +28,7 @@ from exactsweep.formats import (
     parse_polygons,
     read_polygon,
     read_polygons,
+    read_regions,
     round_regions,
     to_numpy,
     to_shapely,
@@ -229,3 +230,15 @@ def test_a_file_of_records_has_the_size_of_its_text(line: str, tmp_path: Path) -
     path = tmp_path / "records"
     path.write_text(text)
     assert measure_file(str(path)) == measure_written(text)
+
+
+def test_declared_encodings_of_xml_are_read(tmp_path: Path) -> None:
+    file = tmp_path / "part.svg"
+    text = (
+        '<?xml version="1.0" encoding="ISO-8859-1"?><svg><rect id="é" width="2" height="1"/></svg>'
+    )
+    file.write_bytes(text.encode("latin-1"))
+    assert [part.name for part in read_regions(str(file))] == ["é"]
+    file.write_bytes(text.replace("ISO-8859-1", "ISO-8859-99").encode("latin-1"))
+    with pytest.raises(FormatError, match="not UTF-8 text"):
+        read_regions(str(file))

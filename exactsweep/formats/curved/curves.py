@@ -1,16 +1,14 @@
-"""Bezier curves and arcs of ellipses as values, and points of them on a decimal grid.
+"""Bezier curves and arcs of ellipses, with rational points on a decimal grid.
 
-A curve is a function of a parameter from 0 to 1; a *place* is the parameter in units of 2**-30.
-The point at a place is a rational point of the curve, computed in ints and rounded to the grid. So
-rounding is its only error.
+A parameter from 0 to 1 is stored as a *place*, in units of 2**-30.
 
-(1) Between two parameters at distance h, a curve C and its chord, at the same parameter, differ by
-    at most h**2 / 8 * max |C''| (the error of linear interpolation).
+(1) Between two parameters at distance h, a curve C and its chord differ by at most h**2 / 8 *
+    max |C''| (linear interpolation).
 (2) (1 - t**2, 2 t) / (1 + t**2) is a rational point of the unit circle, at the angle 2 atan(t). So
-    a float t decides only where on an arc a point is. By the angle, |C''| is at most the greatest
-    radius. Floats of angles are off by less than 2**-45, which the share of the tolerance for
-    chords leaves room for.
-(3) A curve and its reverse have the same points, for it is stored in one of both directions.
+    a float t decides only the position of a point on an arc. By the angle, |C''| is at most the
+    greatest radius. Floats of angles are off by less than 2**-45, for which the share of the
+    tolerance for chords leaves room.
+(3) A curve is stored in one of its two directions, so its reverse has the same points.
 """
 
 from __future__ import annotations
@@ -52,12 +50,7 @@ class Curve(Protocol):
 
 
 class Bezier(NamedTuple):
-    """A Bezier curve, rational if it has weights.
-
-    Attributes:
-        controls: the control points, three or more.
-        weights: one for each control point, all positive; () for a polynomial curve.
-    """
+    """A Bezier curve of three or more control points, with positive weights if it is rational."""
 
     controls: Sequence[Point]
     weights: Sequence[Fraction] = ()
@@ -65,9 +58,8 @@ class Bezier(NamedTuple):
     def bend(self) -> Fraction:
         """Bound the second derivative.
 
-        With weights C = N / W, so W C'' = N'' - 2 W' C' - W'' C and W C' = N' - W' C; N and W are
-        Bezier curves, whose derivatives are at most the differences of their control points times
-        the degree. A control point as the origin keeps |C| small.
+        With weights C = N / W, so W C'' = N'' - 2 W' C' - W'' C and W C' = N' - W' C, for Bezier
+        curves N and W. A control point as the origin keeps |C| small.
         """
         scale, points = self._lattice()
         n = len(points) - 1
@@ -132,12 +124,9 @@ class Bezier(NamedTuple):
 
 
 class Arc(NamedTuple):
-    """The image of an arc of the unit circle, counter-clockwise.
+    """The image of an arc of the unit circle, counter-clockwise from the angle `first`, in radians.
 
-    Attributes:
-        image: the map from the circle.
-        first: the angle of its start in radians.
-        span: its angle, above 0 and at most 2 pi.
+    The span is above 0 and at most 2 pi.
     """
 
     image: Affine
@@ -149,7 +138,10 @@ class Arc(NamedTuple):
         """A bound on the distance of the image from its center."""
         a, b, c, d = self.image[:4]
         # The greatest scale factor is that of a sum or a difference of two similarities.
-        sums = bound_root((a + d) ** 2 + (b - c) ** 2), bound_root((a - d) ** 2 + (b + c) ** 2)
+        sums = (
+            round_root_up((a + d) ** 2 + (b - c) ** 2),
+            round_root_up((a - d) ** 2 + (b + c) ** 2),
+        )
         return (sums[0] + sums[1]) / 2
 
     def bend(self) -> Fraction:
@@ -210,10 +202,10 @@ def find_angle(x: Fraction, y: Fraction) -> float:
     return angle + 2 * pi if angle < 0 else angle
 
 
-def bound_root(square: Fraction, scale: int = 1) -> Fraction:
+def round_root_up(square: Fraction, scale: int = 1) -> Fraction:
     """Return the square root, rounded up by less than 1/scale plus a relative 2**-30.
 
-    >>> bound_root(Fraction(4)), bound_root(Fraction(0))
+    >>> round_root_up(Fraction(4)), round_root_up(Fraction(0))
     (Fraction(2, 1), Fraction(0, 1))
     """
     n, d = square.as_integer_ratio()
@@ -233,17 +225,9 @@ def find_arc_center(start: Point, end: Point, height: Fraction) -> Point:
 def make_round_arc(
     center: Point, start: Point, end: Point, image: Affine, *, left: bool
 ) -> tuple[Arc, bool]:
-    """Make the image of a circular arc under an affine map.
+    """Make the image of an arc of a circle; return it, and whether it runs from start to end.
 
-    Args:
-        center: the center of the circle.
-        start: a point of the circle.
-        end: another one, or the start for a full circle.
-        image: the map of the circle.
-        left: whether the arc runs counter-clockwise.
-
-    Returns:
-        The Arc, and whether it runs from the start to the end, or back.
+    Equal ends make a full circle. `left` means counter-clockwise.
     """
     if not left:
         start, end = end, start
@@ -285,4 +269,4 @@ def _differences(points: Sequence[tuple[Fraction | int, ...]]) -> list[tuple[Fra
 
 
 def _largest(vectors: Sequence[tuple[Fraction | int, ...]]) -> Fraction:
-    return bound_root(Fraction(max((x * x + y * y for x, y in vectors), default=0)))
+    return round_root_up(Fraction(max((x * x + y * y for x, y in vectors), default=0)))

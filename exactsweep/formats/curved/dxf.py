@@ -28,16 +28,7 @@ _FULL, _ZERO = Fraction(360), Fraction(0)
 
 
 def parse_dxf(text: str, reading: Reading) -> list[Candidate]:
-    """Find the closed outlines of a DXF text.
-
-    Args:
-        text: an ASCII DXF file.
-        reading: the settings.
-
-    Returns:
-        list of Candidate, in order: closed polylines, circles, ellipses, splines, and open lines of
-            one
-        layer that form outlines. Candidates of other entities raise.
+    """Find the closed outlines of an ASCII DXF text, among them those of open lines of one layer.
 
     Raises:
         FormatError: not DXF, no unit where one is wanted, or limits exceeded.

@@ -24,8 +24,7 @@ class PlacedEntity(NamedTuple):
     """An entity where it is drawn.
 
     Attributes:
-        entity: the entity in the file.
-        image: the map to the drawing.
+        image: the map from the entity to the drawing.
         layer: its layer: "0" inside a block is the layer of the INSERT.
         around: the places of the INSERTs that draw it, for messages.
         fault: why an INSERT cannot be drawn, else "".
@@ -44,12 +43,7 @@ class PlacedEntity(NamedTuple):
 
 
 class Blocks:
-    """The blocks of a drawing.
-
-    Args:
-        drawing: the drawing.
-        reading: the settings.
-    """
+    """The blocks of a drawing, and the maps of their INSERTs."""
 
     def __init__(self, drawing: Drawing, reading: Reading) -> None:
         self.drawing, self.blocks, self.reading = drawing, drawing.blocks, reading

@@ -159,10 +159,9 @@ class Drawing(NamedTuple):
     """The drawing of a DXF text.
 
     Attributes:
-        entities: the drawn entities, in order.
         blocks: the entities of each block, after its own, which has the base point.
         unit: the millimetres of its unit; None if it does not state one.
-        hidden: why a layer is hidden, by its name in upper case.
+        hidden: the reason why a layer is hidden, by its name in upper case.
         unplotted: visible layers that do not plot.
     """
 

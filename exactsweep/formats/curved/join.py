@@ -84,20 +84,13 @@ def gather(drawn: Iterable[Candidate | OpenLine], reading: Reading) -> list[Cand
 
 
 def join(lines: Mapping[int, OpenLine], reading: Reading) -> Iterator[tuple[int, Candidate]]:
-    """Join lines whose ends are equal or close to each other.
+    """Join the lines of one layer whose ends are equal or close; yield numbers and candidates.
 
-    Each end snaps to the nearest joint within reach, or becomes a new joint. Exact ends come first,
-    with a reach of `reading.join`; then the others, with a reach of `reading.join` plus a quarter
-    of the tolerance; both in file order. A repeated line counts once. A line whose ends move to one
-    joint vanishes in an outline through that joint; elsewhere it is rejected, for it may be a hole.
-
-    Args:
-        lines: open lines of one layer, by their numbers in the file.
-        reading: the settings.
-
-    Yields:
-        (number, Candidate) for each connected set of lines, with a fault if not every end meets
-        exactly one other. A straight line alone is an ornament.
+    Each end snaps to the nearest joint within reach, or becomes a joint. Exact ends come first,
+    with a reach of `reading.join`; then the others, with a quarter of the tolerance more; both in
+    file order. A repeated line counts once. A line whose ends move to one joint vanishes from an
+    outline through that joint; elsewhere it is rejected, for it may be a hole. So is a connected
+    set of lines unless every end meets exactly one other; a straight line alone is an ornament.
     """
     joints = Joints(reading.join or Fraction(0))
     find = joints.find
@@ -173,15 +166,9 @@ def _note_gaps(
 
 
 class Joints:
-    """Points to which ends of lines are moved, in the cells of a grid.
+    """Points to which ends of lines snap within `reach`, in the cells of a grid.
 
-    Args:
-        reach: the greatest distance by which an end may move.
-        known: joints from the start.
-        tolerance: new ones are rounded as by `round_points`; None not to round them.
-
-    Attributes:
-        points: the joints.
+    With a tolerance, new joints are rounded as by `round_points`.
     """
 
     def __init__(

@@ -1,14 +1,13 @@
-"""Paths of lines and curves, and the lines that replace their curves.
+"""Paths of lines and curves, and the chords that replace the curves.
 
-A curve becomes chords between rational points of it. Chords take less than half of the tolerance,
-by (1) of `curves`, rounding less than a fifth, and ends moved to other lines a fourth. So the path
-and its lines are less than the tolerance apart, parameter by parameter.
+Chords between rational points of a curve use less than half of the tolerance, by (1) of `curves`,
+rounding less than a fifth, and moved ends a fourth. So a path and its chords are less than the
+tolerance apart, parameter by parameter.
 
-Lines of two curves that leave a vertex in nearly one direction could cross although the curves do
-not. So both get vertices at the same distances from there, until they are apart: segments that lead
-away from a point cross only if their order around it changes.
-
-If the lines of a closed path cross nevertheless, finer tolerances are tried.
+Chords of two curves that leave a vertex in nearly one direction could cross although the curves do
+not. So both get vertices at equal distances from there, until they are apart: segments from one
+point cross only if their order around it changes. If the chords of a closed path cross
+nevertheless, finer tolerances are tried.
 """
 
 from __future__ import annotations
@@ -19,7 +18,7 @@ from math import pi
 from typing import TypeVar
 
 from exactsweep.formats.curved.affine import IDENTITY, Affine
-from exactsweep.formats.curved.curves import WHOLE, Arc, Curve, bound_root
+from exactsweep.formats.curved.curves import WHOLE, Arc, Curve, round_root_up
 from exactsweep.formats.error import FormatError
 from exactsweep.formats.reading import Reading
 from exactsweep.geometry.canonical import PolygonError
@@ -57,17 +56,13 @@ class SimpleLines(list[Point]):
 
 
 class Path:
-    """A path: points, and the curves between some of them.
-
-    Args:
-        points: the points; a closed path repeats the first at the end.
-        curves: the curve that starts at the point with a number, and whether it runs forward.
-        off: a bound on the error of points and curves.
+    """Points, and the curves between some of them; a closed path repeats its first point.
 
     Attributes:
-        points, curves, off: as given.
+        curves: by the number of their first point, with whether they run forward.
+        off: a bound on the error of points and curves.
         soft: the numbers of points that may be rounded, such as joints of a spline.
-        gap: how far ends have been moved to those of other lines.
+        gap: the distance by which ends were moved to other lines.
     """
 
     __slots__ = ("_lines", "curves", "gap", "off", "points", "soft")
@@ -165,16 +160,9 @@ class Path:
         return tolerance + (self.gap if 4 * self.gap > tolerance else 0)
 
     def flatten(self, reading: Reading, finer: int = 0) -> list[Point]:
-        """Replace curves by lines, finer ones if a closed path would otherwise cross itself.
+        """Replace curves by chords; by finer ones if a closed path would cross itself.
 
-        Args:
-            reading: has the tolerance, and counts lines.
-            finer: the number of powers of ten by which the tolerance is finer.
-
-        Raises:
-            FormatError: too many lines.
-
-        Cost: O((size / tolerance) ** 0.5) vertices for each curve, and as much time.
+        Raises FormatError for too many chords. Cost: O((size / tolerance) ** 0.5) for each curve.
         """
         if self.is_exact:
             return self.points
@@ -197,7 +185,9 @@ class Path:
         grid = find_grid(tolerance / (1000 if fine else 1))
         places = {k: _divide(curve, tolerance, reading) for k, (curve, _) in self.curves.items()}
         if self.off * 16 > tolerance:
-            raise FormatError("numbers too large for an irrational rotation")
+            raise FormatError(
+                "numbers too large for an irrational rotation; a larger --flatten reads it"
+            )
         for before, after in self._corners():
             self._part(before, after, places, tolerance)
         points = self.points
@@ -264,7 +254,7 @@ class Path:
 def _divide(curve: Curve, tolerance: Fraction, reading: Reading) -> list[int]:
     """Return the parameters between chords that keep their share of the tolerance."""
     bend = curve.bend() / (8 * _CHORDS * tolerance)
-    count = max(curve.least(), -(-bound_root(bend) // 1))
+    count = max(curve.least(), -(-round_root_up(bend) // 1))
     reading.allow_lines(count)
     return [WHOLE * k // count for k in range(1, count)]
 
@@ -302,16 +292,10 @@ def flatten_together(
     use: Callable[[list[list[Point]]], _Found],
     *first: list[Point],
 ) -> tuple[list[list[Point]], _Found | None]:
-    """Flatten paths, with a finer tolerance where the lines are unusable.
-
-    Args:
-        paths: the paths.
-        reading: has the tolerance, and counts lines.
-        use: raises PolygonError if the lines cross.
-        first: the lines at the tolerance itself, if known.
+    """Flatten paths, more finely while `use` raises PolygonError.
 
     Returns:
-        The lines and the result of `use`; None and the first lines if finer ones do not help.
+        The rings and the result of `use`; the first rings and None if finer ones do not help.
     """
     said = ""
     found = rings = [*first] or [path.flatten(reading) for path in paths]

@@ -1,9 +1,8 @@
 """B-splines as exact Bezier curves: each control point is a value of the polar form.
 
-The polar form (blossom) of a polynomial piece of degree p is symmetric in p arguments, affine in
-each, and equals the curve where all are equal. The Bezier points of the piece from u to v are its
-values at (u, ..., u, v, ..., v); de Boor's recursion computes them with another argument in each
-step (L. Ramshaw, "Blossoms are polar forms", Computer Aided Geometric Design 6, 1989).
+The polar form of a piece of degree p is symmetric in p arguments, affine in each, and equals the
+curve where all are equal. The Bezier points from u to v are its values at (u, ..., u, v, ..., v),
+by de Boor's recursion (L. Ramshaw, Computer Aided Geometric Design 6, 1989).
 """
 
 from __future__ import annotations
@@ -27,14 +26,7 @@ _Lifted = tuple[Fraction, ...]
 
 
 class Spline(NamedTuple):
-    """A B-spline.
-
-    Attributes:
-        degree: of its pieces.
-        points: the control points.
-        knots: in order, as many as points, and degree + 1 more.
-        weights: one for each point, all positive; () for 1.
-    """
+    """A B-spline: degree + 1 more knots than points, and positive weights or ()."""
 
     degree: int
     points: Sequence[Point]
@@ -88,10 +80,7 @@ class Spline(NamedTuple):
             raise FormatError("expected one positive weight for each control point")
 
     def pieces(self) -> Iterator[tuple[list[Point], list[Fraction]]]:
-        """Yield its Bezier curves: control points, and weights if it has any.
-
-        Cost: O(p**2) for each piece of degree p.
-        """
+        """Yield its Bezier curves: control points, and weights if it has any."""
         weights = self.weights or [Fraction(1)] * len(self.points)
         lifted = [(x * w, y * w, w) for (x, y), w in zip(self.points, weights, strict=True)]
         for k in range(self.degree, len(self.points)):
@@ -103,10 +92,10 @@ class Spline(NamedTuple):
             yield points, [w for _, _, w in values] if self.weights else []
 
     def _bezier(self, lifted: Sequence[_Lifted], k: int) -> list[_Lifted]:
-        """Return the values of the polar form at (u, ..., u, v, ..., v) for a piece from u to v.
+        """Return the polar form at (u, ..., u, v, ..., v) for the piece from u to v.
 
         Replacing the knots before the piece by u, one after another, the last value of each row has
-        u that often and then the knots after the piece; likewise with v.
+        u that often and then the knots after the piece; with v, the first value.
         """
         p, knots = self.degree, self.knots
         u, v = knots[k], knots[k + 1]

@@ -47,16 +47,9 @@ MAX_DEPTH = 32
 
 
 def parse_svg(text: str, reading: Reading) -> list[Candidate]:
-    """Find the outlines of an SVG document.
+    """Find the outlines of an SVG document, each named by its id, in order.
 
-    Args:
-        text: the document.
-        reading: the settings.
-
-    Returns:
-        A Candidate for each region that a shape draws, or open lines of one layer together, in
-        order, with its id as the name. Coordinates are user units unless a unit is wanted, with Y
-        downward; transformations are applied.
+    Coordinates are user units unless a unit is wanted, with Y downward.
 
     Raises:
         FormatError: not XML or not SVG, entities, too deep nesting, no unit where one is wanted, or
@@ -74,13 +67,7 @@ def parse_svg(text: str, reading: Reading) -> list[Candidate]:
 
 
 def read_svg(root: Element, reading: Reading, style: Style | None = None) -> list[Candidate]:
-    """Find the outlines of an SVG document that `parse_xml` parsed, as `parse_svg` does.
-
-    Args:
-        root: the document, or a part of it.
-        reading: the settings.
-        style: that of the whole document, if the root is a part of it.
-    """
+    """Find the outlines of a document of `parse_xml`, or of a part with the style of all."""
     if name_kind(root) != "svg":
         raise FormatError(f"line {line(root)}: the root is {quote(root.tag)}, not svg")
     document = Document(root, reading)

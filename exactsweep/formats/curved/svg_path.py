@@ -11,10 +11,10 @@ from exactsweep.formats.curved.arc import make_rotation
 from exactsweep.formats.curved.curves import (
     Arc,
     Curve,
-    bound_root,
     find_arc_center,
     make_bezier,
     make_round_arc,
+    round_root_up,
 )
 from exactsweep.formats.curved.path import Path, place_points
 from exactsweep.formats.decimals import DECIMAL, count_decimals, read_decimal, read_decimals
@@ -38,11 +38,6 @@ _HEIGHTS = 10**40
 
 def read_path(data: str, matrix: Affine, reading: Reading) -> list[Path]:
     """Read path data as a Path for each subpath.
-
-    Args:
-        data: the `d` attribute.
-        matrix: the transformation of the path.
-        reading: counts vertices.
 
     Raises:
         FormatError: not path data, with the character; or too many vertices.
@@ -181,12 +176,12 @@ def make_elliptic_arc(
     flags: tuple[bool, bool],
     matrix: Affine,
 ) -> tuple[Arc, bool]:
-    """Make an elliptical arc (SVG 1.1, F.6).
+    """Make an elliptical arc (SVG 1.1, F.6); return whether it runs forward, too.
 
-    In the plane in which the ellipse is a unit circle, the center is k half chords from the middle
-    of the chord, with rational k**2. An error d of k moves the arc by at most 2 d, because a ray
-    from one end meets both arcs at most 2 d apart. An irrational angle is replaced by one with
-    rational sine and cosine, so that rotating back and forth preserves the ends.
+    Where the ellipse is a unit circle, the center is k half chords from the middle of the chord,
+    with rational k**2. An error d of k moves the arc by at most 2 d, because a ray from one end
+    meets both arcs at most 2 d apart. An irrational angle is replaced by one with rational sine and
+    cosine, so that rotating back and forth preserves the ends.
 
     Args:
         ends: the start of the arc and its end, another point.
@@ -194,9 +189,6 @@ def make_elliptic_arc(
         angle: from x to the first axis, in degrees.
         flags: whether it is the longer one of the two arcs, and whether it runs from x to y.
         matrix: the map from the arc to the result.
-
-    Returns:
-        The Arc, and whether it runs from the start to the end.
     """
     (rx, ry), (large, left) = radii, flags
     # The height is a root, so its error is the root of that of the angle.
@@ -206,7 +198,7 @@ def make_elliptic_arc(
     zero = Fraction(0)
     image = matrix @ turn._replace(off=zero) @ Affine(rx, zero, zero, ry, zero, zero)
     half = ((end.x - start.x) ** 2 + (end.y - start.y) ** 2) / 4
-    height = bound_root(max(1 - half, zero) / half, _HEIGHTS)
+    height = round_root_up(max(1 - half, zero) / half, _HEIGHTS)
     if large == left:
         height = -height
     center = find_arc_center(start, end, height)

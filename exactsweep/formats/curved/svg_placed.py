@@ -34,12 +34,7 @@ _PX |= {"": Fraction(1), "%": Fraction(1)}
 class PlacedElement:
     """An element among its ancestors; its transformation is read on demand.
 
-    Args:
-        element: the element.
-        parent: the PlacedElement that draws it; None for the root.
-        reading: the settings.
-        used: the `use` that draws a symbol or a nested svg, which has its size.
-        style: that of the document; by default that of the parent.
+    `used` is the `use` that draws a symbol or a nested svg, which has its size.
     """
 
     def __init__(

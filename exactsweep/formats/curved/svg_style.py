@@ -31,11 +31,7 @@ _NAME_RANK, _STYLE_RANK = 1, 4
 
 
 class Style:
-    """The style sheets of a document, with selectors by name, class or id only.
-
-    Attributes:
-        ignored: other selectors whose rules could change the drawing.
-    """
+    """Style sheets, with selectors by name, class or id; others are in `ignored`."""
 
     def __init__(self, root: Element) -> None:
         self.ignored: list[str] = []

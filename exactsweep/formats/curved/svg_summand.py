@@ -15,15 +15,9 @@ from exactsweep.numbers.error import name_refusals
 
 
 def read_svg_path(text: str, reading: Reading, *, filled: bool = False) -> Polyline | None:
-    """Read an SVG document as a path, if it draws only one open path without a fill.
+    """Read an SVG document as a path if it draws only one, open and without a fill.
 
-    Args:
-        text: the document.
-        reading: the settings.
-        filled: whether a filled or closed path counts, too.
-
-    Returns:
-        A Polyline in the coordinates of `parse_svg`; None if the document draws anything else.
+    With `filled`, a filled or closed path counts, too.
 
     Raises:
         FormatError: as by `parse_svg`; or the path has curves.
