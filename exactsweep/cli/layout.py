@@ -82,7 +82,7 @@ class _Wanted(NamedTuple):
 @takes_file(
     "--instance",
     "The instance of a solution, with its parts, their quantities and allowed rotations; or a "
-    "drawing, a file or a folder of parts, each of which is to be placed once.",
+    "drawing, a file or a folder of parts to be placed once each.",
 )
 @gather(
     "table",

@@ -4,7 +4,7 @@ Each is the sum of a vertex of D or of H = -G and an edge of the other shape. A 
 if D and G + t overlap next to the contact: an angle at the vertex reaches to the right of the edge.
 A position where two vertices meet is an end of a remaining segment, because of two angles without
 a common direction, one lies beyond a side of the other. Where rings touch, a vertex has several
-angles, and such positions are kept as points: two chain links may be held by them alone.
+angles, and such positions are returned as points, since they need not be on any segment.
 """
 
 from __future__ import annotations

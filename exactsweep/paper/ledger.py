@@ -24,7 +24,7 @@ CHECKS, FIGURES = "exactsweep.paper.checks", "exactsweep.paper.figures"
 
 
 class UnknownClaimError(ExactSweepError):
-    """The error for a name that is not in the ledger."""
+    """Raised for a name that is not in the ledger."""
 
 
 def examine(row: Mapping[str, Any], effort: Effort) -> Iterator[Observation]:

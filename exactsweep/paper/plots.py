@@ -12,9 +12,9 @@ from exactsweep.paper.growth import Growth
 from exactsweep.paper.toml import read_toml
 
 STYLES = tuple(
-    (colour, marker, dash)
+    (color, marker, dash)
     for dash in ("-", "--")
-    for colour, marker in zip(PALETTE, "os^Dv<>", strict=True)
+    for color, marker in zip(PALETTE, "os^Dv<>", strict=True)
 )
 SETTINGS = read_toml("plots.toml")
 
@@ -32,11 +32,11 @@ def ratios(growth: Sequence[Growth]) -> bytes:
     with context(SETTINGS):
         figure = Figure(figsize=(4.6, 2.2 + 0.16 * len(growth)), layout="constrained")
         axes = figure.subplots()
-        for series, (colour, marker, dash) in zip(growth, cycle(STYLES), strict=False):
+        for series, (color, marker, dash) in zip(growth, cycle(STYLES), strict=False):
             axes.plot(
                 [max(point.m, point.n) for point in series.points],
                 [point.ratio for point in series.points],
-                color=colour,
+                color=color,
                 marker=marker,
                 linestyle=dash,
                 label=f"{series.what}, {series.family}, {series.varied}, / ({series.bound})",

@@ -76,7 +76,7 @@ def fill_windows(effort: Effort) -> Iterator[Observation]:
 
 
 def _report_fall(rates: Sequence[str], words: str) -> str:
-    """Return the text if some rates are not in ascending order."""
+    """Return `words` if the rates are not in ascending order, or an empty string."""
     return "" if sorted(rates, key=float) == [*rates] else words
 
 

@@ -41,7 +41,7 @@ class Extent(NamedTuple):
         return 12 if self.title else 0
 
     def measure(self, unit: float) -> tuple[float, float]:
-        """Return width and height in points, including margins and title, for a scale."""
+        """Return width and height in points at a given scale, including margins and title."""
         left, bottom, right, top = self.margins
         wide, high = (float(high - low) for low, high in zip(self.low, self.high, strict=True))
         return wide * unit + left + right, high * unit + bottom + top + self.title_height
