@@ -26,6 +26,7 @@ Step = tuple[str, str]
 HOUSE = [(0, 0), (2, 0), (2, 1), (1, 2), (0, 1)]
 MITRE = [(0, 0), (2, 0), (2, 3), (1, 1), (0, 3)]
 BLOCK = [(0, 0), (8, 0), (8, 5), (7, 5), (3, 1), (2, 5), (0, 5)]
+ARCH = [(0, 0), (4, 1), *BLOCK[1:]]
 
 
 CASE = case_to_json(Case.of("mine", "", BLOCK, HOUSE))
@@ -55,7 +56,7 @@ def make_trajectory(folder: Path) -> object:
 
 def make_inner_loop(folder: Path) -> object:
     monotone.split_polygon.cache_clear()
-    return sweep(MITRE, BLOCK).inner
+    return sweep(MITRE, ARCH).inner
 
 
 def judge(folder: Path) -> object:

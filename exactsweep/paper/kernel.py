@@ -24,7 +24,7 @@ def reverse_top(top: Sequence[Vertex]) -> Chain:
 
 
 def trajectory_cc(top: Sequence[Vertex], directrix: Sequence[Vertex]) -> VertexList:
-    return cc.trajectory_cc(reverse_top(top), Chain.of(directrix)).points
+    return list(cc.trajectory_cc(reverse_top(top), Chain.of(directrix)))
 
 
 def sweep_inner_cc(top: Sequence[Vertex], directrix: Sequence[Vertex]) -> VertexList:
@@ -34,7 +34,7 @@ def sweep_inner_cc(top: Sequence[Vertex], directrix: Sequence[Vertex]) -> Vertex
 def sweep_outer_cc(
     top: Sequence[Vertex], bottom: Sequence[Vertex], directrix: Sequence[Vertex]
 ) -> VertexList:
-    return cc.sweep_outer_cc(reverse_top(top), Chain.of(bottom), Chain.of(directrix)).points
+    return list(cc.sweep_outer_cc(reverse_top(top), Chain.of(bottom), Chain.of(directrix)))
 
 
 def trajectory_cm(top: Sequence[Vertex], directrix: Sequence[Vertex]) -> Graph:
@@ -68,7 +68,8 @@ def sweep_inner_mm(
     top: Sequence[Vertex], directrix: Sequence[Vertex], trajectory: Graph
 ) -> VertexList:
     """Compute the inner boundary of Sweep_MM, in the undercuts only."""
-    return mm.sweep_inner_mm(reverse_top(top), Chain.of(directrix), trajectory).points
+    path = trajectory.chain()
+    return mm.sweep_inner_mm(reverse_top(top), Chain.of(directrix), trajectory, path).points
 
 
 def find_convex_parts(points: Sequence[Vertex]) -> list[VertexList]:

@@ -10,21 +10,24 @@ left to right. Parallel edges, which the paper excludes, become one edge (EE, Ta
 
 from __future__ import annotations
 
-from exactsweep.numbers.number import Rational, divide_exactly
-from exactsweep.procedures.chain import Chain, Homogeneous, measure_unit
+from bisect import bisect_left
+from collections.abc import Sequence
+
+from exactsweep.procedures.chain import Break, Chain, ConvexPart, partition
+from exactsweep.procedures.graph import Graph, Piece, Ranges, VertexContact
 
 
-def trajectory_cc(generatrix: Chain, directrix: Chain) -> Chain:
+def trajectory_cc(generatrix: Chain, directrix: Chain) -> Graph:
     """Trajectory T(G_t, D_b) of a convex top chain along a convex bottom chain.
 
-    Procedure Trajectory_CC: merge the lists of edges of reversed G_t (`generatrix`) and D_b
-    (`directrix`) by slope. Neither has vertical edges. Cost: O(m + n).
+    Procedure Trajectory_CC, for reversed G_t and D_b. Neither has vertical edges. Cost: O(m + n).
 
     >>> lid, valley = Chain.of([(-1, -1), (0, -1)]), Chain.of([(0, 0), (1, -1), (2, 0)])
-    >>> trajectory_cc(lid, valley).points
+    >>> list(trajectory_cc(lid, valley))
     [(-1, -1), (0, -2), (1, -2), (2, -1)]
     """
-    return merge_by_slope(generatrix, directrix)
+    (g,), (d,) = partition(generatrix, directrix)
+    return merge_by_slope(g, d)
 
 
 def sweep_inner_cc(generatrix: Chain, directrix: Chain) -> Chain:
@@ -33,44 +36,71 @@ def sweep_inner_cc(generatrix: Chain, directrix: Chain) -> Chain:
     Procedure SweepI_CC: return the edges of D_b. Arguments as for `trajectory_cc`.
 
     >>> lid, valley = Chain.of([(-1, -1), (0, -1)]), Chain.of([(0, 0), (1, -1), (2, 0)])
-    >>> sweep_inner_cc(lid, valley).points
+    >>> list(sweep_inner_cc(lid, valley))
     [(0, 0), (1, -1), (2, 0)]
     """
     return directrix
 
 
-def sweep_outer_cc(generatrix: Chain, bottom: Chain, directrix: Chain) -> Chain:
+def sweep_outer_cc(generatrix: Chain, bottom: Chain, directrix: Chain) -> Graph:
     """Outer boundary of the sweep of a convex G along a convex D_b (Lemma 3.2).
 
     Procedure SweepO_CC: merge the lists of edges of reversed G_t, G_b and D_b by slope, from v_l of
     D + (v_l - v_r of G). Arguments as for `trajectory_cc`; `bottom` is G_b. Cost: O(m + n).
 
     >>> lid, valley = Chain.of([(-1, -1), (0, -1)]), Chain.of([(0, 0), (1, -1), (2, 0)])
-    >>> sweep_outer_cc(lid, Chain.of([(0, 0), (1, 0)]), valley).points
+    >>> list(sweep_outer_cc(lid, Chain.of([(0, 0), (1, 0)]), valley))
     [(-1, -1), (0, -2), (2, -2), (3, -1)]
     """
-    return merge_by_slope(generatrix, bottom, directrix)
+    return trajectory_cc(trajectory_cc(generatrix, bottom).chain(), directrix)
 
 
-def merge_by_slope(*chains: Chain) -> Chain:
-    """Lay the edges of convex chains end to end by slope, from the sum of their left ends.
+def merge_by_slope(generatrix: ConvexPart, directrix: ConvexPart) -> Graph:
+    """Merge the sorted lists of relevant edges of two convex parts that face.
 
-    Cost: O(n) for n edges, which `sorted` merges as sorted lists.
+    The edges lie end to end from the first contact on, with their events (Table 1). An edge of one
+    part moves by a vertex of the other: D_b's by vertex j of G (VE), G's by vertex i of D_b (EV).
+
+    Cost: O(m + n).
     """
-    unit = measure_unit(*chains)
-    edges = [
-        (dy * unit // dx if unit else divide_exactly(dy, dx), dx, dy)
-        for chain in chains
-        for dx, dy, *_ in filter(None, chain.lines)
-    ]
-    x: Rational = sum(chain.vertices[0][0] for chain in chains)
-    y: Rational = sum(chain.vertices[0][1] for chain in chains)
-    vertices: list[Homogeneous] = [(x, y, 1)]
-    last: Rational | None = None
-    for slope, dx, dy in sorted(edges):
-        x, y = x + dx, y + dy
+    gs, ds = generatrix.edges, directrix.edges
+    i, i_end = bisect_left(ds, generatrix.flattest), bisect_left(ds, generatrix.steepest)
+    j, j_end = bisect_left(gs, directrix.flattest), bisect_left(gs, directrix.steepest)
+    edges = sorted(ds[i:i_end] + gs[j:j_end])
+    i, j = i + directrix.first, j + generatrix.first
+    (x, y, w), (u, v, z) = directrix.vertices[i], generatrix.vertices[j]
+    start: VertexContact = (x * z + u * w, y * z + v * w, w * z), i, j
+    breaks: list[Break] = [start[0][::2]]
+    pieces: list[Piece] = []
+    last: int | float | None = None
+    for slope, of_generatrix, dx, dy, c in edges:
+        if of_generatrix:
+            dx, dy, c = dx * w, dy * w, c * w + y * dx - x * dy
+            j += 1
+            u, v, z = generatrix.vertices[j]
+        else:
+            dx, dy, c = dx * z, dy * z, c * z + v * dx - u * dy
+            i += 1
+            x, y, w = directrix.vertices[i]
         if slope == last:
-            vertices.pop()
-        vertices.append((x, y, 1))
-        last = slope
-    return Chain(vertices)
+            # Parallel edges become one (EE).
+            _, _, _, start, _ = pieces.pop()
+            breaks.pop()
+        at = x * z + u * w, w * z
+        end: VertexContact = (at[0], y * z + v * w, at[1]), i, j
+        pieces.append((dx, dy, c, start, end))
+        breaks.append(at)
+        start, last = end, slope
+    return Graph(breaks, pieces)
+
+
+def subtrajectories(
+    generatrix_parts: Sequence[ConvexPart],
+    directrix_parts: Sequence[ConvexPart],
+    ranges: Ranges | None = None,
+) -> list[list[Graph]]:
+    """Return T(G_i, D_j) for all pairs of parts with relevant edges: row i, by j.
+
+    `ranges`, the x-ranges in which the envelope is needed, do not matter here.
+    """
+    return [[merge_by_slope(g, d) for d in directrix_parts if g.faces(d)] for g in generatrix_parts]

@@ -18,11 +18,11 @@ from __future__ import annotations
 
 from bisect import bisect_left
 from collections.abc import Sequence
+from itertools import product
 from math import inf
 from operator import itemgetter
 
-from exactsweep.numbers.number import Rational
-from exactsweep.procedures import graph as plain
+from exactsweep.procedures import cc
 from exactsweep.procedures.chain import ConvexPart
 from exactsweep.procedures.graph import Graph, Ranges
 
@@ -38,40 +38,33 @@ def subtrajectories(
     generatrix_parts: Sequence[ConvexPart],
     directrix_parts: Sequence[ConvexPart],
     ranges: Ranges | None = None,
-) -> list[tuple[int, int, Graph]]:
-    """Return those of `graph.subtrajectories` that may be on the envelope; arguments likewise.
+) -> list[list[Graph]]:
+    """Return those of `cc.subtrajectories` that may be on the envelope; arguments likewise.
 
     Cost: O(strips crossed) for each pair of parts, O(1) on average; memory O(parts + result).
     """
     count = STRIPS * min(len(generatrix_parts), len(directrix_parts))
     if ranges is None and count <= STRIPS**2:
         # So few sums cost less than their bounds.
-        return plain.subtrajectories(generatrix_parts, directrix_parts)
+        return cc.subtrajectories(generatrix_parts, directrix_parts)
     rows, columns = bound_all(generatrix_parts), bound_all(directrix_parts)
-    left, right = (min(row[1] for row in rows), max(row[2] for row in rows))
-    start, end = min(column[1] for column in columns), max(column[2] for column in columns)
-    ceiling = Ceiling(left + start, right + end, count, ranges)
-    # Without a range in which the envelope is needed, a part is of no use.
-    columns = [c for c in columns if ceiling.is_above(-inf, left + c[1], right + c[2])]
-    found = []
-    for rank in range(len(rows) + len(columns) - 1):
-        for k in range(max(0, rank - len(columns) + 1), min(len(rows), rank + 1)):
-            low, left, right, i, g = rows[k]
-            least, start, end, j, d = columns[rank - k]
-            if (
-                g.flattest < d.steepest
-                and d.flattest < g.steepest
-                and ceiling.is_above(low + least, left + start, right + end)  # (1)
-                and (graph := plain.subtrajectory(g, d))
-                and ceiling.lower(graph)  # (3)
-            ):
-                found.append((i, j, graph))
-    return sorted(found, key=itemgetter(0, 1))
+    left = min(row[1] for row in rows) + min(column[1] for column in columns)
+    right = max(row[2] for row in rows) + max(column[2] for column in columns)
+    ceiling = Ceiling(left, right, count, ranges)
+    found: list[list[tuple[int, Graph]]] = [[] for _ in generatrix_parts]
+    for (low, left, right, i, g), (least, start, end, j, d) in product(rows, columns):
+        if (
+            g.faces(d)
+            and ceiling.is_above(low + least, left + start, right + end)  # (1)
+            and ceiling.lower(graph := cc.merge_by_slope(g, d))  # (3)
+        ):
+            found[i].append((j, graph))
+    return [[graph for _, graph in sorted(row, key=itemgetter(0))] for row in found]
 
 
 def bound_all(
     parts: Sequence[ConvexPart],
-) -> list[tuple[Rational, Rational, Rational, int, ConvexPart]]:
+) -> list[tuple[int, int, int, int, ConvexPart]]:
     """Return (least y, left, right, number, part) of each part, the lowest first.
 
     The bounds are rounded outwards to ints.
@@ -91,18 +84,18 @@ class Ceiling:
     Where no range needs the envelope, it is -infinity.
     """
 
-    def __init__(self, left: Rational, right: Rational, count: int, ranges: Ranges | None) -> None:
+    def __init__(self, left: int, right: int, count: int, ranges: Ranges | None) -> None:
         self.left = left
         self.width = (right - left) // count + 1
-        self.heights: list[Rational | float] = [inf if ranges is None else -inf] * count
+        self.heights: list[int | float] = [inf if ranges is None else -inf] * count
         for (x, w), (u, v) in ranges or ():
             first, last = self._find_strip(x // w), self._find_strip(u // v) + 1
             self.heights[first:last] = [inf] * (last - first)
 
-    def _find_strip(self, x: Rational) -> int:
+    def _find_strip(self, x: int) -> int:
         return (x - self.left) // self.width
 
-    def is_above(self, low: Rational | float, left: Rational, right: Rational) -> bool:
+    def is_above(self, low: int | float, left: int, right: int) -> bool:
         """Decide whether the ceiling is above a height in any strip of an x-range."""
         return low < max(self.heights[self._find_strip(left) : self._find_strip(right) + 1])
 

@@ -2,9 +2,8 @@
 
 A polygon that is monotone in X has a bottom chain and a top chain (Figure 2). The inverse
 of a top chain is a bottom chain. So every `Chain` runs from left to right and bounds a region above
-it. Vertical edges may stand anywhere (weak monotonicity). Numbers are ints, unless the common
-denominator of a polygon is too long (`Polygon.lattice`); homogeneous coordinates keep crossings in
-ints, too.
+it. Vertical edges may stand anywhere (weak monotonicity). All numbers are ints: vertices have
+homogeneous coordinates.
 
 Errata. The paper calls a chain convex if a straight edge closes it to a convex polygon. Lemma 3.1
 needs one side: here a convex chain turns left at every vertex. The paper measures slopes
@@ -14,30 +13,30 @@ needs one side: here a convex chain turns left at every vertex. The paper measur
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
-from fractions import Fraction
-from itertools import chain as link
+from functools import cached_property
 from itertools import groupby, pairwise
-from math import gcd, inf
+from math import gcd, inf, lcm
 from typing import NamedTuple, TypeVar
 
 from exactsweep.numbers.error import ExactSweepError
-from exactsweep.numbers.number import Rational, Vertex, divide_exactly, ratio
+from exactsweep.numbers.number import Rational, Vertex, ratio
 
 T = TypeVar("T")
+V = TypeVar("V", bound=tuple[Rational, Rational, Rational])
 
-Break = tuple[Rational, Rational]
+Break = tuple[int, int]
 """(x, w): the abscissa x/w, w > 0; not reduced."""
 
-Line = tuple[Rational, Rational, Rational, *tuple[object, ...]]
-"""(dx, dy, c, ...): the points with y = (dy x + c) / dx, dx > 0; other items do not matter."""
-
-Homogeneous = tuple[Rational, Rational, Rational]
+Homogeneous = tuple[int, int, int]
 """(x, y, w): the point (x/w, y/w), w > 0."""
 
-SlopedEdge = tuple[Rational, int, Rational, Rational, Rational]
+Line = tuple[int, int, int]
+"""(dx, dy, c): the points with dx y = dy x + c, dx >= 0."""
+
+SlopedEdge = tuple[int | float, int, int, int, int]
 """(slope, 0 for D_b or 1 for reversed G_t, dx, dy, c): an edge with its line, sorted by slope."""
 
-SlopeBound = tuple[Rational | float, ...]
+SlopeBound = tuple[int | float, ...]
 """(slope,), before all edges of that slope, or (slope, infinity), after them."""
 
 
@@ -48,19 +47,13 @@ class ChainError(ExactSweepError):
 class Chain:
     """An X-monotone chain, from left to right. Iteration yields its points.
 
-    Attributes:
-        vertices: the vertices, in homogeneous coordinates.
-        lines: item k is the line of edge k, from vertex k to the next; None if vertical.
-
     >>> list(Chain.of([(0, 0), (1, -1), (2, 0)]).half_turn())
     [(-2, 0), (-1, 1), (0, 0)]
     """
 
-    __slots__ = ("_lines", "_parts", "vertices")
-
-    def __init__(self, vertices: list[Homogeneous], lines: list[Line | None] | None = None) -> None:
-        self.vertices, self._lines = vertices, lines
-        self._parts: dict[tuple[int, Rational], list[ConvexPart]] = {}
+    def __init__(self, vertices: list[Homogeneous]) -> None:
+        self.vertices = vertices
+        self._parts: dict[tuple[int, int], list[ConvexPart]] = {}
 
     @classmethod
     def of(cls, points: Sequence[Vertex]) -> Chain:
@@ -68,25 +61,23 @@ class Chain:
 
         Raises ChainError if x decreases, or never increases. Cost: O(n).
         """
-        if not all(issubclass(kind, int) for kind in {*map(type, link.from_iterable(points))}):
-            points = [(Fraction(x), Fraction(y)) for x, y in points]
         points = [point for point, _ in groupby(points)]
-        lines: list[Line | None] = []
         for (px, py), (qx, qy) in pairwise(points):
-            dx, dy = qx - px, qy - py
-            if dx < 0:
+            if qx < px:
                 raise ChainError(f"({qx}, {qy}) lies left of ({px}, {py}): not an X-monotone chain")
-            lines.append((dx, dy, py * dx - px * dy) if dx else None)
-        if not any(lines):
+        if not points or points[0][0] == points[-1][0]:
             raise ChainError("zero width: all edges of the chain are vertical")
-        return cls([(x, y, 1) for x, y in points], lines)
+        return cls([scale_to_ints(*point) for point in points])
 
-    @property
-    def lines(self) -> list[Line | None]:
-        """The lines of the edges, computed on first access if missing."""
-        if self._lines is None:
-            self._lines = [_join(p, q) for p, q in pairwise(self.vertices)]
-        return self._lines
+    @cached_property
+    def lines(self) -> list[Line]:
+        """The lines of the edges, with coprime numbers; dx = 0 if vertical."""
+        return [find_line(p, q) for p, q in pairwise(self.vertices)]
+
+    @cached_property
+    def widest(self) -> int:
+        """The greatest dx of all lines."""
+        return max(line[0] for line in self.lines)
 
     @property
     def points(self) -> list[Vertex]:
@@ -98,16 +89,23 @@ class Chain:
 
     def half_turn(self) -> Chain:
         """Return the complement of the chain (Definition 5.2) after a half turn. Cost: O(n)."""
-        return Chain(
-            [(-x, -y, w) for x, y, w in reversed(self.vertices)],
-            [line and (line[0], line[1], -line[2]) for line in reversed(self.lines)],
-        )
+        return Chain([(-x, -y, w) for x, y, w in reversed(self.vertices)])
 
 
-def _join(p: Homogeneous, q: Homogeneous) -> Line | None:
+def scale_to_ints(x: Rational, y: Rational) -> Homogeneous:
+    """Return the homogeneous coordinates of a point."""
+    if isinstance(x, int) and isinstance(y, int):
+        return x, y, 1
+    w = lcm(x.denominator, y.denominator)
+    return int(x * w), int(y * w), w
+
+
+def find_line(p: Homogeneous, q: Homogeneous) -> Line:
+    """Return the line through two vertices, from left to right."""
     (px, py, pw), (qx, qy, qw) = p, q
-    dx = qx * pw - px * qw
-    return (dx, qy * pw - py * qw, py * qx - px * qy) if dx else None
+    dx, dy, c = qx * pw - px * qw, qy * pw - py * qw, py * qx - px * qy
+    common = gcd(dx, dy, c)
+    return dx // common, dy // common, c // common
 
 
 def inverse(points: Iterable[Vertex]) -> list[Vertex]:
@@ -167,23 +165,19 @@ def precedes(first: Break, second: Break) -> bool:
     return first[0] * second[1] < second[0] * first[1]
 
 
-def find_point(line: Line, at: Break) -> Homogeneous:
-    """Find the point of a line at a break, reduced."""
-    dx, dy, c = line[:3]
-    x, w = at
+def find_point(line: tuple[int, int, int, *tuple[object, ...]], at: Break) -> Homogeneous:
+    """Find the point of a line, or of a piece, at a break, reduced."""
+    (dx, dy, c, *_), (x, w) = line, at
     if not dx:
         raise ChainError("the envelope has a gap: its graphs do not overlap in x")
     x, y, w = x * dx, dy * x + c * w, dx * w
-    try:
-        common = gcd(x, y, w)  # type: ignore[arg-type]
-    except TypeError:
-        return ratio(x, w), ratio(y, w), 1
+    common = gcd(x, y, w)
     return x // common, y // common, w // common
 
 
-def take_corners(vertices: Iterable[Homogeneous]) -> list[Homogeneous]:
+def take_corners(vertices: Iterable[V]) -> list[V]:
     """Drop repeated vertices, and vertices between collinear neighbours. Cost: O(n)."""
-    kept: list[Homogeneous] = []
+    kept: list[V] = []
     for vertex, _ in groupby(vertices):
         if len(kept) > 1 and _are_collinear(kept[-2], kept[-1], vertex):
             kept.pop()
@@ -191,7 +185,7 @@ def take_corners(vertices: Iterable[Homogeneous]) -> list[Homogeneous]:
     return kept
 
 
-def _are_collinear(p: Homogeneous, q: Homogeneous, r: Homogeneous) -> bool:
+def _are_collinear(p: V, q: V, r: V) -> bool:
     (px, py, pw), (qx, qy, qw), (rx, ry, rw) = p, q, r
     return px * (qy * rw - ry * qw) + py * (qw * rx - rw * qx) + pw * (qx * ry - rx * qy) == 0
 
@@ -218,66 +212,44 @@ class ConvexPart(NamedTuple):
     flattest: SlopeBound
     steepest: SlopeBound
 
-
-def measure_unit(*chains: Chain) -> Rational:
-    """Return the number of units in slope 1 that distinguishes all slopes of some chains.
-
-    Slopes of edges of width at most w differ by at least 1 / w^2. So slopes rounded down to
-    multiples of a unit of at most 1 / w^2 keep their order, and equal ints are equal slopes. For
-    Fractions there is no such number: 0, for exact slopes.
-    """
-    ends = [(chain.vertices[0], chain.vertices[-1]) for chain in chains]
-    if not all(isinstance(left, int) for (left, _, _), _ in ends):
-        return 0
-    width = max(-(-right // v) - left // w for (left, _, w), (right, _, v) in ends)
-    return 1 << 2 * width.bit_length()
+    def faces(self, other: ConvexPart) -> bool:
+        """Decide whether some edges of two parts are relevant to each other."""
+        return self.flattest < other.steepest and other.flattest < self.steepest
 
 
 def partition(generatrix: Chain, directrix: Chain) -> tuple[list[ConvexPart], list[ConvexPart]]:
-    """Partition reversed G_t and D_b into convex parts (step 1 of Trajectory_CM, Trajectory_MM)."""
-    unit = measure_unit(generatrix, directrix)
-    return find_convex_parts(generatrix, 1, unit), find_convex_parts(directrix, 0, unit)
+    """Partition reversed G_t and D_b into convex parts (step 1 of Trajectory_CM, Trajectory_MM).
+
+    Slopes of lines with dx <= w differ by at least 1 / w^2. So slopes rounded down to multiples of
+    1 / w^2 keep their order, and equal ints are equal slopes.
+    """
+    unit = 4 ** max(generatrix.widest, directrix.widest).bit_length()
+    return find_convex_parts(generatrix, unit, 1), find_convex_parts(directrix, unit, 0)
 
 
-def find_convex_parts(
-    chain: Chain, whose: int = 0, unit: Rational | None = None
-) -> list[ConvexPart]:
+def find_convex_parts(chain: Chain, unit: int, whose: int) -> list[ConvexPart]:
     """Cut a chain at its reflex vertices and vertical edges into convex parts. Cost: O(n).
 
-    Args:
-        chain: the chain, which caches its parts, because nesting programs sweep each polygon often.
-        whose: the second item of each `SlopedEdge`: 0 for D_b, 1 for reversed G_t.
-        unit: as from `measure_unit`; by default that of this chain alone.
+    Slopes are ints, in units of 1 / `unit`; `whose` is the second item of each `SlopedEdge`.
     """
-    unit = measure_unit(chain) if unit is None else unit
-    if known := chain._parts.get((whose, unit)):
+    if known := chain._parts.get((unit, whose)):
         return known
-    edges = [
-        line
-        and (
-            line[1] * unit // line[0] if unit else divide_exactly(line[1], line[0]),
-            whose,
-            line[0],
-            line[1],
-            line[2],
+    slopes: list[int | float] = [-inf, inf]
+    slopes[1:1] = (dy * unit // dx if dx else inf if dy > 0 else -inf for dx, dy, _ in chain.lines)
+    edges: list[SlopedEdge] = [
+        (slope, whose, *line) for slope, line in zip(slopes[1:], chain.lines, strict=False)
+    ]
+    # Edges k - 1 and k, of slopes[k] and slopes[k + 1], meet in vertex k.
+    cuts = [k for k, (b, a) in enumerate(pairwise(slopes)) if not -inf < b <= a < inf]
+    chain._parts[unit, whose] = parts = [
+        ConvexPart(
+            chain.vertices,
+            first,
+            edges[first:last],
+            (min(slopes[first : first + 2]),),
+            (max(slopes[last : last + 2]), inf),
         )
-        for line in chain.lines
+        for first, last in pairwise(cuts)
+        if chain.lines[first][0]
     ]
-    # A part begins after a vertical edge, and where the slope decreases.
-    starts = [
-        k for k, (d, e) in enumerate(pairwise([None, *edges])) if e and (not d or e[0] < d[0])
-    ]
-    heights: list[Break] = [(y, w) for _, y, w in chain.vertices]
-    parts: list[ConvexPart] = []
-    for first, end in pairwise([*starts, len(edges)]):
-        own = [edge for edge in edges[first:end] if edge]
-        last = first + len(own)
-        flattest: SlopeBound = (own[0][0],)
-        steepest: SlopeBound = (own[-1][0], inf)
-        if first == 0 or (not edges[first - 1] and precedes(heights[first], heights[first - 1])):
-            flattest = (-inf,)
-        if last == len(edges) or (not edges[last] and precedes(heights[last], heights[last + 1])):
-            steepest = (inf,)
-        parts.append(ConvexPart(chain.vertices, first, own, flattest, steepest))
-    chain._parts[whose, unit] = parts
     return parts

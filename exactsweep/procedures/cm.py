@@ -16,9 +16,8 @@ from __future__ import annotations
 from collections.abc import Iterable
 from functools import reduce
 from itertools import pairwise
-from typing import NamedTuple
 
-from exactsweep.procedures.cc import merge_by_slope
+from exactsweep.procedures.cc import merge_by_slope, trajectory_cc
 from exactsweep.procedures.chain import (
     Break,
     Chain,
@@ -28,7 +27,13 @@ from exactsweep.procedures.chain import (
     precedes,
     take_corners,
 )
-from exactsweep.procedures.graph import Graph, Piece, lower_envelope_cm, subtract, subtrajectory
+from exactsweep.procedures.graph import Graph, Piece, lower_envelope_cm, subtract
+
+Untouched = tuple[Piece, Break, Piece, Break]
+"""(before, left, after, right): an x-range of D_b that G does not touch.
+
+G touches D_b at `left` along the piece `before` of T, at `right` along the piece `after`.
+"""
 
 
 def trajectory_cm(generatrix: Chain, directrix: Chain) -> Graph:
@@ -43,9 +48,9 @@ def trajectory_cm(generatrix: Chain, directrix: Chain) -> Graph:
     # Step 1: partition D_b into convex chains D_1, ..., D_k.
     (convex,), parts = partition(generatrix, directrix)
     # Step 2: compute the subtrajectories T(G_t, D_i) and their lower envelope.
-    subtrajectories = (subtrajectory(convex, part) for part in parts)
+    subtrajectories = (merge_by_slope(convex, part) for part in parts)
     # Step 3: return the lower envelope.
-    return reduce(lower_envelope_cm, filter(None, subtrajectories))
+    return reduce(lower_envelope_cm, subtrajectories)
 
 
 def sweep_outer_cm(generatrix: Chain, bottom: Chain, directrix: Chain) -> Graph:
@@ -59,7 +64,7 @@ def sweep_outer_cm(generatrix: Chain, bottom: Chain, directrix: Chain) -> Graph:
     >>> list(sweep_outer_cm(lid, bar, Chain.of([(0, 0), (2, 2), (4, 0)])))
     [(-1, 0), (1, 0), (2, 1), (3, 0), (5, 0)]
     """
-    return trajectory_cm(merge_by_slope(generatrix, bottom), directrix)
+    return trajectory_cm(trajectory_cc(generatrix, bottom).chain(), directrix)
 
 
 def sweep_inner_cm(generatrix: Chain, directrix: Chain, trajectory: Graph | None = None) -> Chain:
@@ -77,43 +82,26 @@ def sweep_inner_cm(generatrix: Chain, directrix: Chain, trajectory: Graph | None
     # Step 2: compute T(G_t, D_b).
     if trajectory is None:
         trajectory = trajectory_cm(generatrix, directrix)
-    # Step 3: for each intersection of subtrajectories, find the undercut.
-    gs = generatrix.vertices
-    closings: list[Closing] = []
+    # Step 3: for each intersection of subtrajectories, find the bottom chain of the undercut.
+    undercuts: list[Untouched] = []
+    bottoms: list[list[Homogeneous]] = []
     joints = zip(pairwise(trajectory.pieces), trajectory.breaks[1:-1], strict=True)
     for (before, after), at in joints:
         if before[4] == after[3]:
             continue
         _, left = find_touched(generatrix, directrix, before, at, at)
         right, _ = find_touched(generatrix, directrix, after, at, at)
-        (x, w), (a, b) = at, subtract(before, after)
-        px, py, pw = find_point(after if a * x + b * w < 0 else before, at)
-        # The vertices of G_t between both contacts, and those in them.
-        (_, _, j), (_, _, j_end), (_, _, k), (_, _, k_end) = *before[3:], *after[3:]
-        last = j if precedes((x - gs[j_end][0] * w, w), left) else j_end
-        first = k_end if precedes(right, (x - gs[k][0] * w, w)) else k
-        bottom = [(px - gx * pw, py - gy * pw, pw) for gx, gy, _ in reversed(gs[first : last + 1])]
-        closings.append(Closing(before, left, after, right, bottom))
-    # Step 4: return D_b with the undercuts closed.
-    return close(directrix, closings)
-
-
-class Closing(NamedTuple):
-    """An x-range of D_b that G does not touch, and the boundary there.
-
-    Attributes:
-        before: a piece of the trajectory along which G touches D_b at `left`.
-        left: the left end of the range.
-        after: a piece along which G touches D_b at `right`.
-        right: the right end.
-        bottom: the vertices of the bottom chain between both ends.
-    """
-
-    before: Piece
-    left: Break
-    after: Piece
-    right: Break
-    bottom: list[Homogeneous]
+        (a, b), (u, v) = subtract(before, after), at
+        x, y, w = find_point(after if a * u + b * v < 0 else before, at)
+        # From the first vertex of G_t in contact on the left to the last one on the right.
+        of_g = reversed(generatrix.vertices[after[3][2] : before[4][2] + 1])
+        placed = [(x * gw - gx * w, y * gw - gy * w, w * gw) for gx, gy, gw in of_g]
+        bottoms.append(
+            [p for p in placed if not (precedes(p[::2], left) or precedes(right, p[::2]))]
+        )
+        undercuts.append((before, left, after, right))
+    # Step 4: return D_b with the top chains of the undercuts replaced.
+    return close(directrix, undercuts, bottoms)
 
 
 def find_touched(
@@ -123,28 +111,31 @@ def find_touched(
 
     Between vertices i and i_end of D_b, vertices j to j_end of reversed G_t are in contact.
     """
-    (x, w), (u, v), (_, i, j), (_, i_end, j_end) = start, end, *piece[3:]
-    gs, ds = generatrix.vertices, directrix.vertices
-    if i == i_end:
-        # EV.
-        return (ds[i][0], 1), (ds[i][0], 1)
-    first, last = x - gs[j_end][0] * w, u - gs[j][0] * v
-    return (max(first, ds[i][0] * w), w), (min(last, ds[i_end][0] * v), v)
+    (_, i, j), (_, i_end, j_end) = piece[3:]
+    (x, w), (u, v) = start, end
+    (gx, _, gw), (hx, _, hw) = generatrix.vertices[j_end], generatrix.vertices[j]
+    first, last = (x * gw - gx * w, w * gw), (u * hw - hx * v, v * hw)
+    left, right = directrix.vertices[i][::2], directrix.vertices[i_end][::2]
+    return left if precedes(first, left) else first, right if precedes(right, last) else last
 
 
-def close(directrix: Chain, closings: Iterable[Closing]) -> Chain:
+def close(
+    directrix: Chain, undercuts: Iterable[Untouched], bottoms: Iterable[list[Homogeneous]]
+) -> Chain:
     """Replace the top chains of undercuts, pieces of D_b, by their bottom chains (Figure 7).
 
     Cost: O(m + size of the result).
     """
     inner: list[Homogeneous] = []
     done = 0
-    for before, left, after, right, bottom in closings:
-        (_, i, _), (_, i_end, _), (_, k, _), (_, k_end, _) = *before[3:], *after[3:]
-        inner += directrix.vertices[done : i + 1]
-        leaving, arriving = directrix.lines[i:i_end], directrix.lines[k:k_end]
-        inner += [find_point(line, left) for line in leaving if line]
-        inner += bottom
-        inner += [find_point(line, right) for line in arriving if line] or [directrix.vertices[k]]
-        done = k_end
+    for (before, left, after, right), bottom in zip(undercuts, bottoms, strict=True):
+        inner += directrix.vertices[done : before[3][1] + 1]
+        inner += [_touch(directrix, before, left), *bottom, _touch(directrix, after, right)]
+        done = after[4][1]
     return Chain(take_corners(inner + directrix.vertices[done:]))
+
+
+def _touch(directrix: Chain, piece: Piece, at: Break) -> Homogeneous:
+    """Find the point of D_b at a break that G touches along a piece of T."""
+    (_, i, _), (_, i_end, _) = piece[3:]
+    return find_point(directrix.lines[i], at) if i < i_end else directrix.vertices[i]

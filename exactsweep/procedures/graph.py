@@ -1,8 +1,8 @@
-"""Piecewise linear functions of x: sums of two convex parts, and lower envelopes.
+"""Piecewise linear functions of x, and their lower envelopes (Section 5.1, Appendix).
 
-Lemma 3.1 gives the sums, Section 5.1 and the Appendix the envelopes. Lemma A.3 lets the partial
-trajectory and the next subtrajectory meet in a point or in a segment. With vertical edges in D_b
-they may also pass each other without meeting, where one of them ends: the envelope then jumps.
+Lemma A.3 lets the partial trajectory and the next subtrajectory meet in a point or in a segment.
+With vertical edges in D_b they may also pass each other without meeting, where one of them ends:
+the envelope then jumps.
 
 Erratum. Section 5.1 claims that the envelope of N segments has O(N) pieces. It can have order N
 alpha(N) pieces, alpha the inverse Ackermann function (A. Wiernik and M. Sharir, "Planar
@@ -14,22 +14,15 @@ from __future__ import annotations
 
 from bisect import bisect_left
 from collections.abc import Iterator, Sequence
+from itertools import pairwise
 
-from exactsweep.numbers.number import Rational, Vertex
-from exactsweep.procedures.chain import (
-    Break,
-    Chain,
-    ConvexPart,
-    Homogeneous,
-    Line,
-    find_point,
-    precedes,
-)
+from exactsweep.numbers.number import Vertex
+from exactsweep.procedures.chain import Break, Chain, Homogeneous, find_point, precedes
 
 VertexContact = tuple[Homogeneous, int, int]
 """(position, i, j): at this position of G vertex i of D_b meets vertex j of reversed G_t (VV)."""
 
-Piece = tuple[Rational, Rational, Rational, VertexContact, VertexContact]
+Piece = tuple[int, int, int, VertexContact, VertexContact]
 """(dx, dy, c, start, end): a line, and the contacts at both ends of its edge (Table 1).
 
     start (i, j), end (i + 1, j)      VE: vertex j of G slides along edge i of D_b
@@ -75,25 +68,15 @@ class Graph:
 
         Raises ChainError if the graph has a gap. Cost: O(n).
         """
-        before = self.pieces[0]
-        vertices, lines = [find_point(before, self.breaks[0])], list[Line | None]([before])
-        for piece, at in zip(self.pieces[1:], self.breaks[1:-1], strict=True):
-            if before[4] is piece[3]:
+        vertices = [find_point(self.pieces[0], self.breaks[0])]
+        for (before, after), at in zip(pairwise(self.pieces), self.breaks[1:-1], strict=True):
+            if before[4] is after[3]:
                 # Successive edges of one sum: no arithmetic is needed.
-                vertices.append(piece[3][0])
-                lines.append(piece)
-            else:
-                bend, shift = subtract(before, piece)
-                step = bend * at[0] + shift * at[1]
-                if step:
-                    vertices.append(find_point(before, at))
-                    lines.append(None)
-                if step or bend:
-                    vertices.append(find_point(piece, at))
-                    lines.append(piece)
-            before = piece
-        vertices.append(find_point(before, self.breaks[-1]))
-        return Chain(vertices, lines)
+                vertices.append(after[3][0])
+            elif any(subtract(before, after)):
+                vertices += dict.fromkeys((find_point(before, at), find_point(after, at)))
+        vertices.append(find_point(self.pieces[-1], self.breaks[-1]))
+        return Chain(vertices)
 
     def __iter__(self) -> Iterator[Vertex]:
         return iter(self.chain())
@@ -104,75 +87,16 @@ def find_piece(graph: Graph, at: Break) -> int:
     return bisect_left(graph.breaks, True, key=lambda other: precedes(at, other)) - 1
 
 
-def subtract(p: Piece, q: Piece) -> tuple[Rational, Rational]:
+def subtract(p: Piece, q: Piece) -> tuple[int, int]:
     """Return (a, b): at x/w, the line of p is above that of q if a x + b w > 0."""
     pdx, pdy, pc, _, _ = p
     qdx, qdy, qc, _, _ = q
     return pdy * qdx - qdy * pdx, pc * qdx - qc * pdx
 
 
-def find_crossing(a: Rational, b: Rational) -> Break:
+def find_crossing(a: int, b: int) -> Break:
     """Return the break x/w with a x + b w = 0."""
     return (-b, a) if a > 0 else (b, -a)
-
-
-def subtrajectory(generatrix: ConvexPart, directrix: ConvexPart) -> Graph | None:
-    """Merge the relevant edges of two convex parts by slope; None if there are none.
-
-    This is Trajectory_CC with the events of Table 1. The edges lie end to end from the first
-    contact on; parallel edges become one edge (EE). Vertices of G have w = 1. Cost: O(m + n).
-    """
-    gs, ds = generatrix.edges, directrix.edges
-    i, i_end = bisect_left(ds, generatrix.flattest), bisect_left(ds, generatrix.steepest)
-    j, j_end = bisect_left(gs, directrix.flattest), bisect_left(gs, directrix.steepest)
-    if i == i_end and j == j_end:
-        return None
-    edges = sorted(ds[i:i_end] + gs[j:j_end])
-    i, j = i + directrix.first, j + generatrix.first
-    (x, y, w), (gx, gy, _) = directrix.vertices[i], generatrix.vertices[j]
-    start: VertexContact = (x + gx * w, y + gy * w, w), i, j
-    breaks: list[Break] = [(x + gx * w, w)]
-    pieces: list[Piece] = []
-    last: Rational | None = None
-    for slope, of_generatrix, dx, dy, c in edges:
-        if of_generatrix:
-            # EV: the edge of G moves by vertex i of D_b, which may be a crossing, w > 1.
-            c = c * w + y * dx - x * dy
-            if w > 1:
-                dx, dy = dx * w, dy * w
-            j += 1
-            gx, gy, _ = generatrix.vertices[j]
-        else:
-            # VE: the edge of D_b moves by vertex j of G.
-            c += gy * dx - gx * dy
-            i += 1
-            x, y, w = directrix.vertices[i]
-        if slope == last:
-            _, _, _, start, _ = pieces.pop()
-            breaks.pop()
-        position: Homogeneous = x + gx * w, y + gy * w, w
-        end: VertexContact = position, i, j
-        pieces.append((dx, dy, c, start, end))
-        breaks.append((position[0], w))
-        start, last = end, slope
-    return Graph(breaks, pieces)
-
-
-def subtrajectories(
-    generatrix_parts: Sequence[ConvexPart],
-    directrix_parts: Sequence[ConvexPart],
-    ranges: Ranges | None = None,
-) -> list[tuple[int, int, Graph]]:
-    """Return (i, j, T(G_i, D_j)) for all pairs of parts with relevant edges, by i and j.
-
-    `ranges`, the x-ranges in which the envelope is needed, do not matter here.
-    """
-    return [
-        (i, j, graph)
-        for i, g in enumerate(generatrix_parts)
-        for j, d in enumerate(directrix_parts)
-        if g.flattest < d.steepest and d.flattest < g.steepest and (graph := subtrajectory(g, d))
-    ]
 
 
 # LowerEnvelope_CM. P is the partial trajectory with edges P_i, S the subtrajectory with edges S_j.
@@ -204,16 +128,14 @@ def lower_envelope_cm(partial: Graph, piece: Graph) -> Graph:
     Cost: O(edges of the piece + edges trimmed off), and O(log n) if the piece ends first.
     """
     edges, breaks, others, ends = partial.pieces, partial.breaks, piece.pieces, piece.breaks
+    if precedes(breaks[-1], ends[0]):
+        edges.append(GAP)
+        breaks.append(ends[0])
     x, w = end = breaks[-1]
-    if not precedes(ends[0], end):
-        gap = precedes(end, ends[0])
-        edges += [GAP] * gap + others
-        breaks += ends[1 - gap :]
-        return partial
-    i, j = len(edges) - 1, 0
+    i, j = len(edges) - 1, -1
     if precedes(ends[-1], end):
         x, w = end = ends[-1]
-        i, j = bisect_left(breaks, True, key=lambda at: not precedes(at, end)) - 1, len(others) - 1
+        i = bisect_left(breaks, True, key=lambda at: not precedes(at, end)) - 1
     while precedes(ends[j + 1], end):
         j += 1
     while i >= 0 and j >= 0:
@@ -269,7 +191,6 @@ def lower_envelope_mm(graphs: Sequence[Graph]) -> Graph:
 #          s = e = 0, and the choice does not matter.
 #     (3)  s and e have opposite signs: the lines cross in between, and the other one takes over.
 #     (4)  The last piece goes on if it is the lower one again.
-#     (5)  A gap is above all.
 #
 # Left of the common x-range the envelope is P, and right of it the one that goes on.
 
@@ -291,11 +212,8 @@ def merge(first: Graph, second: Graph) -> Graph:
             end, end_w = other_end, other_w
         i += order <= 0
         j += order >= 0
-        s: Rational = (lower is GAP) - (upper is GAP)
-        e = s  # (5)
-        if not s:
-            a, b = subtract(lower, upper)
-            s, e = a * x + b * w, a * end + b * end_w
+        a, b = subtract(lower, upper)
+        s, e = a * x + b * w, a * end + b * end_w
         if s > 0 or s == 0 < e:  # (2)
             lower, upper = upper, lower
         if merged and merged[-1] is lower:  # (4)

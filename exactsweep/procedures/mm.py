@@ -23,11 +23,11 @@ from itertools import pairwise
 
 from exactsweep.numbers.number import ratio
 
-# The pruning step. Without it: from exactsweep.procedures.graph import subtrajectories
+# The pruning step. Without it: from exactsweep.procedures.cc import subtrajectories
 from exactsweep.procedures.ceiling import subtrajectories
-from exactsweep.procedures.chain import Break, Chain, partition, precedes
-from exactsweep.procedures.cm import Closing, close, find_touched
-from exactsweep.procedures.graph import Graph, Piece, Ranges, lower_envelope_cm, lower_envelope_mm
+from exactsweep.procedures.chain import Chain, partition, precedes
+from exactsweep.procedures.cm import Untouched, close, find_touched
+from exactsweep.procedures.graph import Graph, Ranges, lower_envelope_cm, lower_envelope_mm
 
 # A row, the subtrajectories of one part, has relevant edges only, and lacks what is pruned. Let E
 # be the envelope of all pairs, P the partial trajectory, s_k the whole sum of the part and D_k.
@@ -43,9 +43,9 @@ from exactsweep.procedures.graph import Graph, Piece, Ranges, lower_envelope_cm,
 def trajectory_mm(generatrix: Chain, directrix: Chain, ranges: Ranges | None = None) -> Graph:
     """Trajectory T(G_t, D_b) of a monotone top chain along a monotone bottom chain.
 
-    Procedure Trajectory_MM, for reversed G_t and D_b. Sums are symmetric, so the rows are the parts
-    of the shorter list. With `ranges`, disjoint x-ranges, the result is valid over these only. Each
-    piece of the path of G's origin has its event. Cost: O(m n log n).
+    Procedure Trajectory_MM, for reversed G_t and D_b. With `ranges`, disjoint x-ranges, the result
+    is valid over these only. Each piece, of the path of G's origin, has its event. Cost:
+    O(m n log n).
 
     >>> peak = Chain.of([(0, 0), (1, 1), (2, 0)])
     >>> list(trajectory_mm(Chain.of([(-2, -1), (-1, 0), (0, -1)]), peak))
@@ -54,22 +54,16 @@ def trajectory_mm(generatrix: Chain, directrix: Chain, ranges: Ranges | None = N
     # Step 1: partition G_t into convex chains G_1, ..., G_l (and D_b for Trajectory_CM).
     generatrix_parts, directrix_parts = partition(generatrix, directrix)
     # Step 2: compute the subtrajectories T(G_i, D_b) for all i by Trajectory_CM.
-    exchanged = len(directrix_parts) < len(generatrix_parts)
-    rows: dict[int, list[Graph]] = {}
-    for i, j, graph in subtrajectories(generatrix_parts, directrix_parts, ranges):
-        rows.setdefault(j if exchanged else i, []).append(graph)
-    envelopes = [reduce(lower_envelope_cm, row) for row in rows.values()]
+    rows = subtrajectories(generatrix_parts, directrix_parts, ranges)
+    envelopes = [reduce(lower_envelope_cm, row) for row in rows if row]
     # Steps 3 and 4: compute and return their lower envelope.
     return lower_envelope_mm(envelopes)
 
 
-def sweep_mm(
-    generatrix: Chain, bottom: Chain, directrix: Chain, trajectory: Graph | None = None
-) -> tuple[Chain, Chain]:
+def sweep_mm(generatrix: Chain, bottom: Chain, directrix: Chain) -> tuple[Chain, Chain]:
     """Inner and outer boundary of the sweep of a monotone G along a monotone D_b.
 
-    Procedure Sweep_MM: `sweep_inner_mm` and `sweep_outer_mm` for T(G_t, D_b), which may be passed.
-    The chains are reversed G_t, G_b and D_b. Cost: O(m n^2 log n).
+    Procedure Sweep_MM, for reversed G_t, G_b and D_b. Cost: O(m n^2 log n).
 
     >>> lid, bar, flat = [(-1, -1), (0, -1)], [(0, 0), (1, 0)], [(0, 0), (2, 0)]
     >>> inner, outer = sweep_mm(*map(Chain.of, (lid, bar, flat)))
@@ -77,11 +71,12 @@ def sweep_mm(
     ([(0, 0), (2, 0)], [(-1, -1), (3, -1)])
     """
     # Step 1: compute the trajectory T(G, D).
-    if trajectory is None:
-        trajectory = trajectory_mm(generatrix, directrix)
+    trajectory = trajectory_mm(generatrix, directrix)
+    path = trajectory.chain()
     # Step 2: j_i(G, D) <- T(I(G), -T(G, D)) and j_o(G, D) <- T(I(G), T(G, D)).
-    inner = sweep_inner_mm(generatrix, directrix, trajectory)
-    return inner, sweep_outer_mm(bottom, trajectory.chain()).chain()
+    inner = sweep_inner_mm(generatrix, directrix, trajectory, path)
+    # Step 3: return both.
+    return inner, sweep_outer_mm(bottom, path).chain()
 
 
 def sweep_outer_mm(bottom: Chain, path: Chain) -> Graph:
@@ -92,14 +87,12 @@ def sweep_outer_mm(bottom: Chain, path: Chain) -> Graph:
     return trajectory_mm(bottom, path)
 
 
-def sweep_inner_mm(
-    generatrix: Chain, directrix: Chain, trajectory: Graph, path: Chain | None = None
-) -> Chain:
+def sweep_inner_mm(generatrix: Chain, directrix: Chain, trajectory: Graph, path: Chain) -> Chain:
     """Inner boundary T(I(G), -T): I(G) slides along the inside of T (Lemma 5.3).
 
     After a half turn, G_t slides along the complement of T. Where G touches D_b the boundary is
     D_b, so only the undercuts are computed. This is the faster algorithm that the paper mentions
-    after Corollary 5.8. `path` is the trajectory as a chain, if known.
+    after Corollary 5.8. `path` is the trajectory as a chain.
 
     Cost: O(t log t) to find the undercuts, and O(t' n log n) for the t' edges of T along which G is
     over an undercut; all t of them at worst.
@@ -107,20 +100,17 @@ def sweep_inner_mm(
     undercuts = find_untouched(generatrix, directrix, trajectory)
     if not undercuts:
         return directrix
-    path = path or trajectory.chain()
     ranges = [((-x, w), (-u, v)) for _, (u, v), _, (x, w) in reversed(undercuts)]
     inside = trajectory_mm(generatrix, path.half_turn(), ranges)
     bottoms = [inside.clip(*span).chain().half_turn().vertices for span in reversed(ranges)]
-    return close(directrix, [Closing(*u, b) for u, b in zip(undercuts, bottoms, strict=True)])
+    return close(directrix, undercuts, bottoms)
 
 
-def find_untouched(
-    generatrix: Chain, directrix: Chain, trajectory: Graph
-) -> list[tuple[Piece, Break, Piece, Break]]:
+def find_untouched(generatrix: Chain, directrix: Chain, trajectory: Graph) -> list[Untouched]:
     """Find x-ranges of D_b, from left to right, that contain all points that G does not touch.
 
     They are the undercuts, and parts of D_b that G touches only where another piece of T hides the
-    contact. Each item has the first four items of a `Closing`. Cost: O(t log t) for t pieces of T.
+    contact. Cost: O(t log t) for t pieces of T.
     """
     touched = [
         (*find_touched(generatrix, directrix, piece, start, end), piece)

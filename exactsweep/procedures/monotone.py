@@ -77,14 +77,14 @@ class LowerCM(LowerMM):
         return sweep_outer_cm(self.generatrix, self.bottom, self.directrix).chain()
 
 
-class LowerCC(LowerCM):
+class LowerCC(LowerMM):
     """The lower sweep of a convex generatrix and a convex directrix (Section 3)."""
 
     kind = "CC"
 
     @cached_property
-    def path(self) -> Chain:
-        """T(G_t, D_b)."""
+    def trajectory(self) -> Graph:
+        """T(G_t, D_b) with its events."""
         return trajectory_cc(self.generatrix, self.directrix)
 
     @cached_property
@@ -95,7 +95,7 @@ class LowerCC(LowerCM):
     @cached_property
     def outer(self) -> Chain:
         """The outer boundary (Definition 2.1)."""
-        return sweep_outer_cc(self.generatrix, self.bottom, self.directrix)
+        return sweep_outer_cc(self.generatrix, self.bottom, self.directrix).chain()
 
 
 _TURN_BACK: tuple[Callable[[Sequence[Vertex]], list[Vertex]], ...] = (list, inverse)

@@ -18,9 +18,9 @@ from exactsweep.paper.kernel import (
     trajectory_cm,
     trajectory_mm,
 )
+from exactsweep.procedures import cc
 from exactsweep.procedures.cc import merge_by_slope
 from exactsweep.procedures.chain import Chain, inverse, partition, split
-from exactsweep.procedures.graph import subtrajectory
 
 Pair = tuple[Polygon, Polygon]
 usually = examples(100)
@@ -63,7 +63,7 @@ def test_outer_boundary_is_three_chains_in_order_of_slope(pair: Pair) -> None:
     assert steps(found) == steps(inverse(g_top), g_bottom, bottom)
     assert found[0] == plus(plus(bottom[0], inverse(g_top)[0]), g_bottom[0])
     path = Chain.of(trajectory_cc(g_top, bottom))
-    assert found == merge_by_slope(Chain.of(g_bottom), path).points
+    assert found == list(cc.trajectory_cc(Chain.of(g_bottom), path))
 
 
 @given(own.pairs("CC"))
@@ -78,10 +78,9 @@ def test_inner_boundary_is_the_directrix(pair: Pair) -> None:
 @usually
 def test_merging_is_commutative_and_associative(pair: Pair) -> None:
     one, other = (Chain.of(split(polygon.vertices)[0]) for polygon in pair)
-    assert list(merge_by_slope(one, other)) == list(merge_by_slope(other, one))
-    together = list(merge_by_slope(one, other, one))
-    assert together == list(merge_by_slope(one, merge_by_slope(other, one)))
-    assert list(merge_by_slope(one)) == list(one)
+    assert list(cc.trajectory_cc(one, other)) == list(cc.trajectory_cc(other, one))
+    together = list(cc.trajectory_cc(cc.trajectory_cc(one, other).chain(), one))
+    assert together == list(cc.trajectory_cc(one, cc.trajectory_cc(other, one).chain()))
 
 
 @given(own.pairs("CC"), st.tuples(*[st.booleans()] * 4))
@@ -98,8 +97,8 @@ def test_a_sum_of_parts_has_their_relevant_edges_only(
         flattest = (part.edges[0][0],) if left else part.flattest
         steepest = (part.edges[-1][0], inf) if right else part.steepest
         parts.append(part._replace(flattest=flattest, steepest=steepest))
-    swept = subtrajectory(*parts)
-    found = list(swept) if swept else []
+    g, d = parts
+    found = list(merge_by_slope(g, d)) if g.faces(d) else []
     slopes = [[Fraction(y) / x for x, y in steps(chain)] for chain in (one, other)]
     ends = [s[k] for s in slopes for k in (0, -1)]
     low = max((e for e, c in zip(ends[::2], cut[::2], strict=True) if c), default=None)
@@ -110,7 +109,7 @@ def test_a_sum_of_parts_has_their_relevant_edges_only(
         if (low is None or Fraction(y) / x >= low) and (high is None or Fraction(y) / x <= high)
     ]
     assert [(q[0] - p[0], q[1] - p[1]) for p, q in pairwise(found)] == kept
-    assert not kept or set(found) <= set(merge_by_slope(Chain.of(one), Chain.of(other)))
+    assert not kept or set(found) <= set(cc.trajectory_cc(Chain.of(one), Chain.of(other)))
 
 
 @given(own.pairs("CC"))
@@ -119,8 +118,7 @@ def test_pieces_carry_the_events_of_table_1(pair: Pair) -> None:
     """At both ends of a piece a vertex of D_b meets one of reversed G_t, and one or both move."""
     one, other = (split(polygon.lattice()[1])[0] for polygon in pair)
     (g,), (d,) = partition(Chain.of(one), Chain.of(other))
-    swept = subtrajectory(g, d)
-    assert swept
+    swept = merge_by_slope(g, d)
     for dx, dy, c, start, end in swept.pieces:
         for (x, y, w), i, j in (start, end):
             assert (x, y, w) == (*plus(one[j], other[i]), 1)

@@ -14,7 +14,7 @@ from exactsweep.corpus import cases
 from exactsweep.numbers.number import Vertex
 from exactsweep.paper.kernel import list_sub_trajectories, sweep_mm, trajectory_mm
 from exactsweep.paper.pairs import Chains
-from exactsweep.procedures import ceiling, graph, mm
+from exactsweep.procedures import cc, ceiling, mm
 from exactsweep.procedures.ceiling import Ceiling
 from exactsweep.procedures.chain import split
 from exactsweep.procedures.graph import Graph
@@ -33,7 +33,7 @@ def test_without_it_the_answers_of_the_corpus_are_the_same(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     pruned = [*answer_corpus()]
-    monkeypatch.setattr(mm, "subtrajectories", graph.subtrajectories)
+    monkeypatch.setattr(mm, "subtrajectories", cc.subtrajectories)
     assert [*answer_corpus()] == pruned
 
 
@@ -53,7 +53,7 @@ def test_the_ceiling_changes_no_boundary(
     chains = draw(Random(seed))
     monkeypatch.setattr(ceiling, "STRIPS", strips)
     pruned = [*trajectory_mm(*chains[::2])], sweep_mm(*chains)
-    monkeypatch.setattr(mm, "subtrajectories", graph.subtrajectories)
+    monkeypatch.setattr(mm, "subtrajectories", cc.subtrajectories)
     assert ([*trajectory_mm(*chains[::2])], sweep_mm(*chains)) == pruned
 
 
@@ -91,7 +91,7 @@ def zigzag(size: int, bend: int, seed: int) -> list[Vertex]:
 @pytest.mark.parametrize(
     ("top", "bottom", "most"),
     [
-        (zigzag(31, 1, 1), zigzag(60, -1, 2), (285, 1400)),
+        (zigzag(31, 1, 1), zigzag(60, -1, 2), (300, 1500)),
         (zigzag(60, 1, 1), zigzag(31, 1, 2), (360, 2200)),
     ],
 )
@@ -100,13 +100,13 @@ def test_most_sums_are_never_computed(
 ) -> None:
     """At most the given number of 480 pairs, and of several thousand for both loops."""
     computed: list[Any] = []
-    right = graph.subtrajectory
+    right = cc.merge_by_slope
 
     def count(*parts: Any) -> Any:
         computed.append(parts)
         return right(*parts)
 
-    monkeypatch.setattr(graph, "subtrajectory", count)
+    monkeypatch.setattr(cc, "merge_by_slope", count)
     trajectory_mm(top[::-1], bottom)
     assert len(computed) <= most[0]
     computed.clear()

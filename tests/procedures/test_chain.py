@@ -63,16 +63,15 @@ def test_slopes_are_in_order_in_the_unit_of_a_chain(width: int, data: st.DataObj
     edges = data.draw(st.lists(vectors, min_size=2, max_size=9))
     exact = [Fraction(dy, dx) for dx, dy in edges]
     drawn = [Chain.of([(0, 0), edge]) for edge in edges]
-    unit = kernel.measure_unit(*drawn)
-    found = [kernel.find_convex_parts(chain, 0, unit)[0].edges[0][0] for chain in drawn]
     for a, b in product(range(len(edges)), repeat=2):
-        assert (found[a] < found[b]) == (exact[a] < exact[b])
+        parts = kernel.partition(drawn[a], drawn[b])
+        one, other = (part.edges[0][0] for (part,) in parts)
+        assert (one < other) == (exact[a] < exact[b])
 
 
 @given(chains(), st.sampled_from([1, 3, Fraction(7, 3)]))
 @usually
 def test_parts_do_not_depend_on_the_kind_of_numbers(chain: list[Vertex], scale: int) -> None:
-    """Ints are split by slopes in a unit, other numbers by Fractions."""
     scaled: list[Vertex] = [(x * scale, y * scale) for x, y in chain]
     parts = [[(x * scale, y * scale) for x, y in part] for part in find_convex_parts(chain)]
     assert find_convex_parts(scaled) == parts

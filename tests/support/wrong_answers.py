@@ -6,6 +6,7 @@ from typing import Any
 
 from sabotage import Procedure, sabotage
 
+from exactsweep.paper.kernel import to_graph
 from exactsweep.procedures import cc, ceiling, chain, cm, graph, mm
 from exactsweep.procedures.chain import Chain
 from exactsweep.procedures.graph import Graph
@@ -17,7 +18,7 @@ def lay_end_to_end(right: Procedure) -> Procedure:
         laid, path = list(directrix), list(generatrix)
         (x, y), (dx, dy) = laid[-1], path[0]
         moved = [(a + dx, b + dy) for a, b in laid]
-        return Chain.of(moved + [(x + a, y + b) for a, b in path[1:]])
+        return to_graph(moved + [(x + a, y + b) for a, b in path[1:]])
 
     return trajectory_cc
 
@@ -149,19 +150,19 @@ def drop_pair(right: Procedure) -> Procedure:
     return subtrajectories
 
 
-@sabotage("Trajectory_CC: parallel edges are left as two", cc.merge_by_slope)
+@sabotage("Trajectory_CC: parallel edges are left as two", cc.trajectory_cc)
 def leave_in_two(right: Procedure) -> Procedure:
-    def merge_by_slope(*chains: Any) -> Any:
+    def trajectory_cc(*chains: Any) -> Any:
         found = list(right(*chains))
         steps = {(q[0] - p[0], q[1] - p[1]) for c in chains for p, q in pairwise(c)}
         for k, (p, q) in enumerate(pairwise(found)):
             halves = [(a, b) for a, b in steps if (p[0] + a, p[1] + b) != q and a < q[0] - p[0]]
             for a, b in halves:
                 if a * (q[1] - p[1]) == b * (q[0] - p[0]):
-                    return Chain.of([*found[: k + 1], (p[0] + a, p[1] + b), *found[k + 1 :]])
-        return Chain.of(found)
+                    return to_graph([*found[: k + 1], (p[0] + a, p[1] + b), *found[k + 1 :]])
+        return to_graph(found)
 
-    return merge_by_slope
+    return trajectory_cc
 
 
 @sabotage("split: an edge beyond the right end", chain.split)

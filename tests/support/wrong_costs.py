@@ -99,7 +99,7 @@ def compare_in_parts(chain_of: Callable[[Any, Any], Any]) -> Waste:
 
     def waste(generatrix: Any, directrix: Any) -> None:
         points = [*chain_of(generatrix, directrix)]
-        for part in chain.find_convex_parts(Chain.of(points)):
+        for part in chain.partition(*[Chain.of(points)] * 2)[1]:
             own = points[part.first : part.first + len(part.edges) + 1]
             compare_all(own, own)
 
@@ -140,7 +140,7 @@ def copy(right: Procedure) -> Procedure:
 
 
 BY_FAULT: dict[Procedure, dict[str, Sabotage]] = {
-    cc.merge_by_slope: {
+    cc.trajectory_cc: {
         "Trajectory_CC: right, but in quadratic time": before(
             lambda *chains: compare_all(*chains[:2])
         ),
@@ -155,8 +155,8 @@ BY_FAULT: dict[Procedure, dict[str, Sabotage]] = {
         "Trajectory_CC: right, but each vertex is compared log(m + n) times": after(
             lambda found, *chains: compare_log_times([x for x, _ in found], measure(chains))
         ),
+        "Trajectory_CC: right, but a table of m² is kept": before(keep_table),
     },
-    cc.trajectory_cc: {"Trajectory_CC: right, but a table of m² is kept": before(keep_table)},
     cc.sweep_outer_cc: {
         "SweepO_CC: right, but sorted twice by comparisons": after(
             lambda found, *chains: [
@@ -233,7 +233,7 @@ for procedure, faults in BY_FAULT.items():
     for fault, wrong in faults.items():
         sabotage(fault, procedure)(wrong)
 for fault, procedure, waste in (
-    ("Trajectory_CC: right, but the list is copied for each edge", cc.merge_by_slope, concatenate),
+    ("Trajectory_CC: right, but the list is copied for each edge", cc.trajectory_cc, concatenate),
     ("Trajectory_MM: right, but copied for each vertex", mm.trajectory_mm, copy_for_each),
     ("Sweep_MM: right, but copied for each vertex", mm.sweep_mm, copy_for_each),
     ("SweepI_CM: right, but copied for each vertex", cm.sweep_inner_cm, copy_for_each),

@@ -10,19 +10,19 @@ from exactsweep.procedures.chain import Chain
 from exactsweep.procedures.graph import Graph
 
 
-@sabotage("Trajectory_CC: of two equal edges one is lost", cc.merge_by_slope)
+@sabotage("Trajectory_CC: of two equal edges one is lost", cc.trajectory_cc)
 def lose_equal_edge(right: Procedure) -> Procedure:
-    def merge_by_slope(one: Any, second: Any, *others: Any) -> Any:
+    def trajectory_cc(one: Any, second: Any) -> Any:
         first = [*one]
         steps = {(q[0] - p[0], q[1] - p[1]) for p, q in pairwise(second)}
         for k, (p, q) in enumerate(pairwise(first)):
             x, y = q[0] - p[0], q[1] - p[1]
             if (x, y) in steps and len(first) > 2:
                 moved = [(a - x, b - y) for a, b in first[k + 2 :]]
-                return right(Chain.of([*first[: k + 1], *moved]), second, *others)
-        return right(one, second, *others)
+                return right(Chain.of([*first[: k + 1], *moved]), second)
+        return right(one, second)
 
-    return merge_by_slope
+    return trajectory_cc
 
 
 def lose_middle(points: Any, fewest: int = 0) -> Any:
