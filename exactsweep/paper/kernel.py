@@ -77,7 +77,7 @@ def find_convex_parts(points: Sequence[Vertex]) -> list[VertexList]:
     made = Chain.of(points)
     return [
         made.points[part.first : part.first + len(part.edges) + 1]
-        for part in chain.find_convex_parts(made)
+        for part in chain.partition(made, made)[1]
     ]
 
 
@@ -95,9 +95,7 @@ def to_graph(points: Sequence[Vertex]) -> Graph:
     made = Chain.of(points)
     contacts: list[VertexContact] = [(v, k, 0) for k, v in enumerate(made.vertices)]
     pieces: list[Piece] = [
-        (*line[:3], *ends)
-        for line, ends in zip(made.lines, pairwise(contacts), strict=True)
-        if line
+        (*line, *ends) for line, ends in zip(made.lines, pairwise(contacts), strict=True) if line[0]
     ]
     return Graph([piece[3][0][::2] for piece in pieces] + [made.vertices[-1][::2]], pieces)
 
