@@ -24,14 +24,9 @@ _LOOK = 0.5
 
 
 class Cluster:
-    """The workers of a Dask scheduler, each of which gets the work once.
+    """The workers of a Dask scheduler, each of which gets the work once, new ones included.
 
-    New workers get it, too; Dask repeats the chunks of lost ones.
-
-    Args:
-        work: the batch.
-        address: of the scheduler, or LOCAL.
-        count: the number of processes of a LOCAL cluster.
+    Dask repeats the chunks of lost workers. `count` is the number of processes of a LOCAL cluster.
 
     Raises:
         BatchError: no scheduler answers there.

@@ -32,14 +32,7 @@ _CHUNK_BYTES = 2**20
 
 
 class Job(NamedTuple):
-    """A batch.
-
-    Attributes:
-        work: the quantities and the parts.
-        total: the number of pairs.
-        digest: a digest that identifies the batch.
-        path: the file of pairs, or None for all pairs of parts.
-    """
+    """A batch: the work, the number of pairs, a digest of the input, the file of pairs."""
 
     work: Work
     total: int
@@ -112,13 +105,10 @@ def take_listed_pairs(
             for "nfp".
         parts: the parts that the lines may name.
         what: as for `take_all_pairs`.
-        rounding: likewise.
+        rounding: as for `take_all_pairs`.
 
     Raises:
         BatchError: an unreadable file, two parts with one name, or unknown quantities.
-
-    Example:
-        >>> job = take_listed_pairs("pairs.jsonl", read_parts("parts.svg"))  # doctest: +SKIP
     """
     listed = _parts(parts)
     for name, count in Counter(part.name for part in listed).items():

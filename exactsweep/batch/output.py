@@ -29,16 +29,10 @@ CSV = ".csv"
 
 
 class Output:
-    """The records of a batch, including those of an earlier run.
-
-    Args:
-        path: the results file.
-        job: the batch.
-        restart: whether to discard the records of an earlier run.
+    """The records of a batch, including those of an earlier run unless it restarts.
 
     Attributes:
-        done: the number of records.
-        refused: the number of error records.
+        done, refused: the numbers of records and of error records.
 
     Raises:
         BatchError: another batch left records for the same file, or is running.

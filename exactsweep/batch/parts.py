@@ -25,16 +25,12 @@ class Part(NamedTuple):
 
 @tells_arguments
 def read_parts(path: str, tolerance: object = None, **options: Unpack[Options]) -> tuple[Part, ...]:
-    """Read a part list, each polygon once.
+    """Read a part list, each polygon once; an invalid one affects only its own pairs.
 
     Args:
         path: as for `exactsweep.formats.folder.find_files`, optionally with "#" and a choice.
         tolerance: as for `exactsweep.formats.parse_polygons`.
-        options: likewise.
-
-    Returns:
-        tuple of Part, named as by `exactsweep.formats.folder.list_parts`; an invalid one affects
-        only its own pairs.
+        options: as for `exactsweep.formats.parse_polygons`.
 
     Raises:
         FormatError: no file can be read.

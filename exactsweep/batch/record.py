@@ -37,17 +37,9 @@ def write_result_line(
 ) -> bytes:
     """Write the wanted quantities of a pair as a line of JSON.
 
-    Args:
-        index: the number of the pair, from 0.
-        names: "id", "generatrix" and "directrix", as far as there are any.
-        result: the sweep of the pair, or its no-fit polygon.
-        what: the quantities.
-        rounding: how to round numbers; None to leave them.
-
-    Returns:
-        An object of "index", the names and COLUMNS of the quantities. The index and the components
-        of the direction, null for kind "SS", are integers; all other numbers are decimals if
-        rounded, else strings that `to_fraction` reads.
+    The members are "index", the names, and COLUMNS of the quantities. The index and the components
+    of the direction, null for kind "SS", are integers; all other numbers are decimals if rounded,
+    else strings that `to_fraction` reads.
     """
     columns = (c for c in COLUMNS[what] if c != "unswept" or result.kind == "SS")
     values = {c: _value(result, c) for c in columns}

@@ -12,18 +12,10 @@ from exactsweep.geometry.region import Region
 
 
 def round_values(values: Mapping[str, Any], rounding: Rounding) -> dict[str, Any]:
-    """Round the columns of a record.
+    """Round the columns of a record; areas are those of the exact loops.
 
-    Args:
-        values: the columns, loops as Polygons.
-        rounding: how to round. Outward, the trajectory, the outer loop and the exterior grow, all
-            other loops shrink or vanish, and exact fits that would move are dropped.
-
-    Returns:
-        The same columns; areas are those of the exact loops, rounded.
-
-    Raises:
-        PolygonError: a rounded loop is not a polygon, which cannot happen outward.
+    Outward, the trajectory, the outer loop and the exterior grow, all other loops shrink or vanish,
+    and exact fits that would move are dropped.
     """
     places, outward = rounding
 

@@ -31,13 +31,7 @@ MAX_WORKERS = 1024
 
 
 class Counts(NamedTuple):
-    """The counts of a finished batch.
-
-    Attributes:
-        pairs: the number of pairs.
-        refused: the number of error records.
-        resumed: the number of records of an earlier run.
-    """
+    """The numbers of pairs, error records and records of an earlier run."""
 
     pairs: int
     refused: int

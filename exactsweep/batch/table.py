@@ -27,13 +27,9 @@ def require_pyarrow() -> None:
 
 
 def write_csv(records: Path, output: Path, what: Quantities) -> None:
-    """Convert records to CSV.
+    """Convert records to CSV with a column for each possible member.
 
-    Args:
-        records: a file with a record per line.
-        output: the CSV file: a header, and a column for each possible member, empty where a record
-            has none; directions, vertices and exact fits are JSON.
-        what: the quantities of the batch.
+    Directions, vertices and exact fits are JSON.
     """
     columns = ("index", *_NAMES, *COLUMNS[what])
     with (
@@ -46,16 +42,9 @@ def write_csv(records: Path, output: Path, what: Quantities) -> None:
 
 
 def write_parquet(records: Path, output: Path, what: Quantities, *, rounded: bool = False) -> None:
-    """Convert records to a table.
+    """Convert records to a Parquet table with the columns of `write_csv`, a thousand at a time.
 
-    Args:
-        records: a file with a record per line.
-        output: the Parquet file, with the columns of `write_csv`: "index" an int64, all others
-            strings, null where a record has none.
-        what: the quantities of the batch.
-        rounded: whether areas are numbers, and become float64.
-
-    Cost: linear; a thousand records are in memory at a time.
+    "index" is an int64, areas are float64 if they are rounded, and all else strings.
     """
     import pyarrow
     import pyarrow.parquet

@@ -38,9 +38,7 @@ class Work:
     """A batch as it is sent to every process once.
 
     Attributes:
-        what: the quantities.
-        generatrices: the moving parts, each around each directrix; or the parts that a file of
-            pairs names.
+        generatrices: the moving parts; or the parts that a file of pairs names.
         directrices: the parts that they sweep around, or the same parts.
         rounding: how to round numbers; None to leave them.
         limits: the limits where the batch was made.

@@ -21,15 +21,10 @@ _PARTS = re.compile(r"(-?)\+?([0-9.]*)(.*)")
 
 
 def read_decimal(text: str) -> Fraction:
-    """Read a decimal as WKT, SVG and DXF have them: `-1.5e3`, `+1`, `.5`, `5.`, `007`.
+    """Read a decimal as WKT, SVG and DXF have them; raises FormatError for anything else.
 
-    Raises:
-        FormatError: anything else.
-        NumberError: beyond `limits`.
-
-    Example:
-        >>> read_decimal("+.5"), read_decimal("007.e-2")
-        (Fraction(1, 2), Fraction(7, 100))
+    >>> read_decimal("+.5"), read_decimal("007.e-2")
+    (Fraction(1, 2), Fraction(7, 100))
     """
     try:
         if "/" not in text:
@@ -65,14 +60,10 @@ def count_decimals(text: str) -> int:
 
 
 def format_decimal(value: Fraction) -> str:
-    """Write a number as an exact decimal.
+    """Write a number as an exact decimal; raises FormatError for one such as 1/3.
 
-    Raises:
-        FormatError: not a finite decimal, such as 1/3.
-
-    Example:
-        >>> format_decimal(Fraction(-7, 2)), format_decimal(Fraction(1, 1024))
-        ('-3.5', '0.0009765625')
+    >>> format_decimal(Fraction(-7, 2)), format_decimal(Fraction(1, 1024))
+    ('-3.5', '0.0009765625')
     """
     if value.denominator == 1:
         return format_fraction(value)

@@ -28,24 +28,15 @@ def parse_json(text: str) -> object:
 
 
 def parse_certificate(text: str) -> object:
-    """Parse a certificate: JSON whose integers are indices, and become ints.
-
-    Raises:
-        FormatError: as for `parse_json`, or an integer exceeds Python's digit limit.
-    """
+    """Parse a certificate: JSON whose integers are indices, and become ints."""
     return _parse(text, None)
 
 
 def read_vertices(value: object, path: str) -> list[Point]:
-    """Read a list of pairs of numbers, or of objects of "x" and "y".
+    """Read a list of pairs of numbers, or of objects of "x" and "y"; messages start with the path.
 
-    Args:
-        value: a part of the result of `parse_json`.
-        path: its JSON path, with which messages start.
-
-    Example:
-        >>> read_vertices(parse_json("[[0.5, 2]]"), "$")
-        [Point(x=Fraction(1, 2), y=Fraction(2, 1))]
+    >>> read_vertices(parse_json("[[0.5, 2]]"), "$")
+    [Point(x=Fraction(1, 2), y=Fraction(2, 1))]
     """
     if not isinstance(value, list):
         raise FormatError(f"{path} is {describe_kind(value)}, not a list of vertices")
@@ -65,10 +56,7 @@ def count_vertices(text: str) -> int:
 
 
 def measure_file(path: str) -> int:
-    """Return `parsing.measure_written` of a file with one JSON document per line.
-
-    Holds one line at a time.
-    """
+    """Return `parsing.measure_written` of a file of JSON lines, one line in memory at a time."""
     vertices = numbers = 0
     with Path(path).open(encoding="utf-8") as lines:
         for line in lines:
@@ -154,15 +142,10 @@ def quote_fraction(value: Fraction) -> str:
 
 
 def write_json(value: object, number: Callable[[Fraction], str] = quote_fraction) -> str:
-    """Write plain data and Fractions as JSON on one line.
+    """Write plain data, Fractions and Polygons as JSON on one line.
 
-    Args:
-        value: dict, list, tuple, str, int, bool, None, Fraction, or a Polygon, as its vertices.
-        number: a function that writes a Fraction; by default as an exact string.
-
-    Example:
-        >>> write_json({"a": [Fraction(1, 3), 2]})
-        '{"a": ["1/3", 2]}'
+    >>> write_json({"a": [Fraction(1, 3), 2]})
+    '{"a": ["1/3", 2]}'
     """
     if isinstance(value, Fraction):
         return number(value)

@@ -19,20 +19,12 @@ _VERTICES = "a list of vertices"
 def read_geojson(
     document: Mapping[str, object], path: str = "$", notes: dict[str, None] | None = None
 ) -> list[Candidate]:
-    """Find the polygons of a GeoJSON document.
+    """Find the Polygons of a GeoJSON document of `parse_json`, named by the ids of their Features.
 
-    Args:
-        document: an object with a "type", as `parse_json` returns it.
-        path: its JSON path, for messages.
-        notes: collects notes of ignored third coordinates.
-
-    Returns:
-        A Candidate for each Polygon, named by the id of its Feature; those of other geometries and
-        of open rings raise.
+    Other geometries and open rings become candidates that raise.
 
     Raises:
-        FormatError: an invalid id, a collection without a list, or too deep nesting; the message
-            starts with the JSON path.
+        FormatError: an invalid id, a collection without a list, or too deep nesting.
     """
     found = _read(JsonNode(document, path), None, 0, {} if notes is None else notes)
     return [*allow_faults(found)]

@@ -16,21 +16,15 @@ _RINGS = ("vertices", "exterior", "points", "polygon")
 
 
 def read_exact(document: object, path: str = "$") -> list[Candidate]:
-    """Find the polygons of an exact JSON document.
+    """Find the polygons of an exact JSON document, which read their vertices on demand.
 
     Args:
-        document: a list of vertices, or of such lists; an object with a list of vertices as
-            "vertices", "points" or "polygon", or as "exterior" and with a list of these as "holes";
-            an object whose "polygons" is a list of all these; or a result, with "trajectory",
-            "inner", "outer" and "unswept", or with "regions". "id" is the name, "error" the bound
-            on the distance between the rings and the curves that they replace.
-        path: where the document is, for messages.
-
-    Returns:
-        list of Candidate, which read their vertices on demand.
-
-    Raises:
-        FormatError: anything else; the message starts with the JSON path.
+        document: a list of vertices, or of such lists; an object with such a list as "vertices",
+            "points" or "polygon", or as "exterior" with a list of these as "holes"; an object whose
+            "polygons" is a list of all these; or a result, with "trajectory", "inner", "outer" and
+            "unswept", or with "regions". "id" is the name, "error" the bound on the distance
+            between the rings and the curves that they replace.
+        path: its JSON path, with which messages start.
     """
     node = JsonNode(document, path)
     if isinstance(document, dict) and "polygons" in document:

@@ -53,16 +53,13 @@ def to_json_text(text: str) -> str:
 
 
 def parse_numbers(text: str) -> list[Candidate]:
-    """Find the polygons of lines of two numbers, separated by empty lines.
+    """Find the polygons of lines of two numbers, separated by empty lines, or of counts and pairs.
 
-    Or of polygons as CGAL writes them, each a count and as many pairs.
-
-    Example:
-        >>> text = chr(10).join(("0 0", "1 0", "0 1"))
-        >>> [len(one.vertices()) for one in parse_numbers(text)]
-        [3]
-        >>> [len(one.vertices()) for one in parse_numbers("3 0 0 1 0 0 1")]
-        [3]
+    >>> text = chr(10).join(("0 0", "1 0", "0 1"))
+    >>> [len(one.vertices()) for one in parse_numbers(text)]
+    [3]
+    >>> [len(one.vertices()) for one in parse_numbers("3 0 0 1 0 0 1")]
+    [3]
     """
     lines = [line.strip(" ,;\t") for line in text.splitlines()]
     if all(len(line.replace(",", " ").split()) in (0, 2) for line in lines):

@@ -47,12 +47,7 @@ MAX_PLACES = 4000
 
 
 class Rounding(NamedTuple):
-    """How to round results.
-
-    Attributes:
-        places: the number of decimal places.
-        outward: whether forbidden regions may only grow, and free regions only shrink.
-    """
+    """Decimal places; outward, forbidden regions may only grow, and free regions only shrink."""
 
     places: int
     outward: bool = False
@@ -62,7 +57,7 @@ class Rounded(NamedTuple):
     """A rounded region.
 
     Attributes:
-        regions: the new regions: one, or for "inward" any number.
+        regions: one, or for "inward" any number.
         distance: a bound on the distance of old and new rings, except dropped ones and gaps between
             holes that closed.
         left_out: the number of dropped holes and parts.
@@ -81,13 +76,7 @@ class Rounded(NamedTuple):
 
 
 class Changes(NamedTuple):
-    """The changes that rounding made.
-
-    Attributes:
-        changed: the number of changed regions.
-        distance: the greatest of their distances.
-        left_out: the number of dropped regions and holes.
-    """
+    """The numbers of changed regions and dropped rings, and the greatest distance."""
 
     changed: int
     distance: Fraction

@@ -33,16 +33,13 @@ def parse_wkt(text: str, notes: dict[str, None] | None = None) -> list[Candidate
     """Read WKT polygons.
 
     Args:
-        text: POLYGON, MULTIPOLYGON and GEOMETRYCOLLECTION, one after another, in any case; numbers
-            as for `read_decimal`. Z is allowed if it is constant along a polygon.
+        text: POLYGON, MULTIPOLYGON and GEOMETRYCOLLECTION, one after another, in any case. Z is
+            allowed if it is constant along a polygon.
         notes: collects a note on open rings.
 
-    Returns:
-        list of Candidate, the first point of each ring repeated at its end.
-
     Raises:
-        FormatError: other geometries, M coordinates, varying Z, or a syntax error; the message
-            starts with line and column.
+        FormatError: other geometries, M coordinates, varying Z, or a syntax error, with line and
+            column.
 
     Example:
         >>> [len(o.vertices()) for o in parse_wkt("POLYGON ((0 0, 1 0, .5 1e2, 0 0))")]
@@ -182,11 +179,7 @@ class _Reader:
 
 
 def parse_wkt_path(text: str) -> list[Point] | None:
-    """Read the points of a WKT LINESTRING or POINT; None for any other geometry.
-
-    Raises:
-        FormatError: a syntax error, or text after the path; with line and column.
-    """
+    """Read the points of a WKT LINESTRING or POINT; None for any other geometry."""
     reader = _Reader(text)
     if reader.kind != "word" or reader.word.upper() not in _OTHERS:
         return None

@@ -106,14 +106,7 @@ def write_wkt_fits(fits: Sequence[Fit]) -> str:
 
 
 def write_wkt_polygon(rings: Mapping[str, Sequence[Point]]) -> str:
-    """Write one WKT POLYGON, a line.
-
-    Args:
-        rings: the exterior and the holes, by their names in messages.
-
-    Raises:
-        FormatError: a coordinate that is not a finite decimal.
-    """
+    """Write one WKT POLYGON, a line, of the exterior and holes by their names in messages."""
     rows = [write_wkt_points(name, [*ring, ring[0]]) for name, ring in rings.items()]
     return f"POLYGON ({', '.join(rows)})\n"
 

@@ -23,22 +23,18 @@ _HALVES: dict[Half, str] = {
 
 
 def tell(s: SweepAnswer) -> Iterator[str]:
-    r"""Explain a sweep in words, step by step.
+    """Yield an explanation of a sweep in lines of ASCII, step by step.
 
-    The steps around D come first, then the holes of the no-fit polygon and the exact fits, each
-    with its contacts. Features have the index and the coordinates of the caller's input, positions
-    are those of the reference point.
+    The steps around D come first, then the holes of the no-fit polygon and the exact fits. Features
+    have the index and the coordinates of the caller's input, positions are those of the reference
+    point.
 
-    Yields:
-        Lines of text, with ASCII characters only.
-
-    Example:
-        >>> from exactsweep import sweep
-        >>> square = [(0, 0), (1, 0), (1, 1), (0, 1)]
-        >>> lines = list(tell(sweep(square, [(0, 0), (3, 0), (0, 3)])))
-        >>> print(*lines[7:9], sep="\n")
-        Step 0: right, along (1,0), from (-1,-1) to (3,-1)
-          EE: edge 2 of G, (1,1)-(0,1), slides along edge 0 of D, (0,0)-(3,0)
+    >>> from exactsweep import sweep
+    >>> square = [(0, 0), (1, 0), (1, 1), (0, 1)]
+    >>> lines = list(tell(sweep(square, [(0, 0), (3, 0), (0, 3)])))
+    >>> print(*lines[7:9], sep=chr(10))
+    Step 0: right, along (1,0), from (-1,-1) to (3,-1)
+      EE: edge 2 of G, (1,1)-(0,1), slides along edge 0 of D, (0,0)-(3,0)
     """
     steps = explain(s)
     teller = _Teller(s)

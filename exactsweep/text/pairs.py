@@ -48,14 +48,7 @@ def sum_to_wkt(found: Region) -> str:
 def report_sum(
     a: AnyPolygon, b: AnyPolygon | Polyline, found: Region, terminal_width: int | None = None
 ) -> str:
-    """Describe a Minkowski sum: sizes, areas, loops.
-
-    Args:
-        a: the first summand.
-        b: the second one.
-        found: the sum.
-        terminal_width: as for `report`.
-    """
+    """Describe a Minkowski sum: sizes, areas, loops."""
     loops = {"exterior": found.exterior}
     loops |= {f"hole {k}": hole for k, hole in enumerate(found.holes)}
     width = max(map(len, [*loops, "b (path)"]))
@@ -101,12 +94,7 @@ def _list_results(o: Overlap) -> dict[str, object]:
 
 
 def report_overlap(o: Overlap, terminal_width: int | None = None) -> str:
-    """Describe the overlap of two shapes: verdict, area, depth, least move, witness.
-
-    Args:
-        o: an Overlap.
-        terminal_width: as for `report`.
-    """
+    """Describe the overlap of two shapes: verdict, area, depth, least move, witness."""
     facts: dict[str, str] = {"verdict": o.verdict}
     if o.verdict == "OVERLAP":
         facts["common area"] = _join(*_write_area(o.area))
@@ -124,13 +112,7 @@ def report_overlap(o: Overlap, terminal_width: int | None = None) -> str:
 def report_overlaps(
     found: Sequence[NamedOverlap], free: int, terminal_width: int | None = None
 ) -> str:
-    """List the pairs of shapes that overlap or touch, and count the others.
-
-    Args:
-        found: the pairs that are not free.
-        free: the number of free pairs.
-        terminal_width: as for `report`.
-    """
+    """List the pairs of shapes that overlap or touch, and count the free ones."""
     numbers = ("area about", "depth about")
     table = make_table(("a", "b", "verdict", *numbers), numbers)
     for first, second, o in found:

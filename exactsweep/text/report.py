@@ -100,14 +100,7 @@ def report_no_fit(
     everything: bool = False,
     files: Mapping[str, str] = NO_FILES,
 ) -> str:
-    """Describe a no-fit polygon: class, holes, exact fits, sizes, areas, loops.
-
-    Args:
-        n: a NoFitPolygon.
-        terminal_width: as for `report`.
-        everything: likewise.
-        files: likewise.
-    """
+    """Describe a no-fit polygon; the options are those of `report`."""
     loops = {"exterior": n.exterior, **{f"hole {k}": hole for k, hole in enumerate(n.holes)}}
     facts = {
         **files,
@@ -127,14 +120,7 @@ def report_regions(
     everything: bool = False,
     files: Mapping[str, str] = NO_FILES,
 ) -> str:
-    """Describe regions of positions.
-
-    Args:
-        f: an InnerFit or a NoFitUnion.
-        terminal_width: as for `report`.
-        everything: likewise.
-        files: likewise.
-    """
+    """Describe regions of positions; the options are those of `report`."""
     exact = "fits exactly" if f.exact_fits else "does not fit"
     given = {name: getattr(f, name) for name in f.asked if name != "reference"}
     facts = {

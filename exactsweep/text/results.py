@@ -27,18 +27,11 @@ _ZERO = Fraction(0)
 
 
 def sweep_to_json(sweep: SweepAnswer, error: Fraction = _ZERO) -> str:
-    """Write a sweep and its input as JSON.
+    """Write a sweep and its input as JSON with one name per line.
 
-    Args:
-        sweep: a Sweep.
-        error: the sum of the errors of both polygons, "error" in the object if it is not 0.
-
-    Returns:
-        One object with one name per line: "kind", "direction", "reference", "area", and the vertex
-        lists "generatrix", "directrix", "trajectory", "inner" and "outer". The direction is a pair
-        of integers, null for kind "SS"; all other numbers are strings that `to_fraction` reads.
-        "unswept" lists the other holes of the swept area of kind "SS". A polygon with holes is an
-        object with "exterior" and "holes".
+    The direction is a pair of integers, null for kind "SS"; all other numbers are strings that
+    `to_fraction` reads. A polygon with holes is an object with "exterior" and "holes". `error`, the
+    sum of the errors of both polygons, is a member if it is not 0.
     """
     loops = {"trajectory": sweep.trajectory, "inner": sweep.inner, "outer": sweep.outer}
     texts = {
@@ -52,17 +45,7 @@ def sweep_to_json(sweep: SweepAnswer, error: Fraction = _ZERO) -> str:
 
 
 def no_fit_to_json(n: NoFitAnswer, error: Fraction = _ZERO) -> str:
-    """Write a no-fit polygon and its input as JSON.
-
-    Args:
-        n: a NoFitPolygon.
-        error: as for `sweep_to_json`.
-
-    Returns:
-        One object with one name per line: "stationary", "orbiting", "kind", "reference",
-            "exterior",
-        "holes", "exact_fits", pairs of points, and "area", in the form of `sweep_to_json`.
-    """
+    """Write a no-fit polygon and its input as JSON, in the form of `sweep_to_json`."""
     return write_object(
         {
             "stationary": _write(write_json_value(n.stationary)),
@@ -79,18 +62,7 @@ def no_fit_to_json(n: NoFitAnswer, error: Fraction = _ZERO) -> str:
 
 
 def regions_to_json(f: RegionAnswer, error: Fraction = _ZERO) -> str:
-    """Write regions of positions and their input as JSON.
-
-    Args:
-        f: an InnerFit or a NoFitUnion.
-        error: as for `sweep_to_json`.
-
-    Returns:
-        One object with one name per line: "container", "part", and the lists "placed" and
-        "attached" unless they are empty, or the lists "stationary" and "orbiting"; then
-        "reference", "regions", objects with "exterior" and "holes", "exact_fits" and "area", in the
-        form of `no_fit_to_json`.
-    """
+    """Write regions of positions and their input as JSON, as `sweep_to_json` does."""
     return write_object(
         {
             **{name: _write(value) for name in f.asked if (value := getattr(f, name)) != ()},
@@ -128,15 +100,9 @@ def certificate_to_json(result: SweepAnswer | NoFitAnswer | RegionAnswer | Minko
 
 
 def explanation_to_json(sweep: SweepAnswer) -> str:
-    """Write the steps of a sweep as JSON.
+    """Write the steps of a sweep as JSON, in the form of `sweep_to_json`.
 
-    Returns:
-        One object: the input as by `sweep_to_json`, "undercuts", "exact_fits", and "steps", one per
-        line, with the names of `Undercut` and `Step`. All numbers are strings, except the shared
-        direction and the numbers of features, undercuts and exact fits. "features" maps each listed
-        vertex, and the edge from it to the next, to its number in the caller's input. "holes" are
-        those of the no-fit polygon, each with its "loop" and its "contacts", a list for each edge.
-        "exact_fit_contacts" has a list for each exact fit.
+    "features" maps each vertex, and the edge from it, to its number in the caller's input.
     """
     steps = [_write(_step(step)) for step in explain(sweep)]
     return write_object(
@@ -233,10 +199,9 @@ def _encode(value: Region | Fraction) -> object:
 def sweep_to_regions(
     sweep: SweepAnswer, stays: Fraction = _ZERO, moves: Fraction = _ZERO
 ) -> list[NamedRegion]:
-    """Name the loops of a sweep: "trajectory", "inner", "outer", "unswept 0" and so on.
+    """Name the loops of a sweep, with their errors.
 
-    Each loop has the errors of the directrix and of the generatrix, which counts twice in the outer
-    one.
+    The error of the generatrix counts twice except in the trajectory.
     """
     loops = {"trajectory": sweep.trajectory, "inner": sweep.inner, "outer": sweep.outer}
     loops |= {f"unswept {k}": loop for k, loop in enumerate(sweep.unswept)}
@@ -262,34 +227,21 @@ def name_regions(
 
 
 def sweep_to_wkt(sweep: SweepAnswer) -> str:
-    """Write the loops of a sweep as WKT: trajectory, inner loop, outer loop, unswept holes.
-
-    Raises:
-        FormatError: a coordinate, such as 1/3, is not a finite decimal.
-    """
+    """Write the loops of a sweep as WKT; raises FormatError for numbers such as 1/3."""
     loops = {"trajectory": sweep.trajectory, "inner loop": sweep.inner, "outer loop": sweep.outer}
     loops |= {f"unswept hole {k}": loop for k, loop in enumerate(sweep.unswept)}
     return "".join(write_wkt_polygon({name: loop.vertices}) for name, loop in loops.items())
 
 
 def no_fit_to_wkt(n: NoFitAnswer) -> str:
-    """Write a no-fit polygon as WKT: a POLYGON, then a LINESTRING or POINT per exact fit.
-
-    Raises:
-        FormatError: as by `sweep_to_wkt`.
-    """
+    """Write a no-fit polygon as WKT: a POLYGON, then a LINESTRING or POINT per exact fit."""
     return _area_to_wkt("", n.exterior, n.holes) + write_wkt_fits(n.exact_fits)
 
 
 def regions_to_wkt(f: RegionAnswer) -> str:
-    """Write regions of positions as WKT.
+    """Write regions of positions as WKT: POLYGONs, then a LINESTRING or POINT per exact fit.
 
-    Returns:
-        A POLYGON for each region, a LINESTRING or POINT for each exact fit; "POLYGON EMPTY" if the
-        part does not fit.
-
-    Raises:
-        FormatError: as by `sweep_to_wkt`.
+    It is "POLYGON EMPTY" if the part does not fit.
     """
     lines = [
         _area_to_wkt(f"region {k}, ", region.exterior, region.holes)

@@ -10,12 +10,7 @@ if TYPE_CHECKING:
 
 
 def make_environment(loader: BaseLoader | None = None, *, html: bool = True) -> Environment:
-    """Make an environment with strict names and without traces of tag lines.
-
-    Args:
-        loader: a loader of the templates that others refer to.
-        html: whether to escape values.
-    """
+    """Make an environment with strict names and without traces of tag lines."""
     from jinja2 import Environment, StrictUndefined
 
     return Environment(

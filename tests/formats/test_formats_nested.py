@@ -55,7 +55,7 @@ def test_nested_outlines_are_read_by_commands(tmp_path: Path) -> None:
     Path(unit).write_text("[[0, 0], [1, 0], [1, 1], [0, 1]]")
     done = run("convert", source, "-o", drawing)
     assert (done.exit_code, done.stdout) == (0, "")
-    assert done.stderr == "1 hole written as closed polylines, which --nested reads as holes\n"
+    assert done.stderr == "1 hole written as closed polylines; read them with --nested\n"
     assert run("convert", drawing, "--to", "wkt").stdout.count("POLYGON") == 2
     assert run("convert", drawing, "--to", "wkt", "--nested").output == WKT
     assert "contains 2 polygons" in refusal(run("ifp", drawing, unit))

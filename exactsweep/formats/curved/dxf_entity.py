@@ -14,7 +14,7 @@ from exactsweep.formats.error import FormatError
 from exactsweep.formats.reading import INSUNITS, Reading
 from exactsweep.formats.size import ENTITY, require_count, require_size
 from exactsweep.numbers.error import name_refusals, quote
-from exactsweep.numbers.number import Point, make_points, to_fraction
+from exactsweep.numbers.number import Point, make_points
 
 _LAYER, _FLAGS, _PAPER, _NAME, _INVISIBLE, _COLOR, _PLOT = 8, 70, 67, 2, 60, 62, 290
 _BULGE, _COMMENT = 42, 999
@@ -32,26 +32,15 @@ FROZEN = "frozen"
 
 
 class Entity:
-    """An entity: its kind, and its values by group code.
+    """An entity: group codes and texts, those of its kind first, and the line of the kind.
 
-    Args:
-        codes: the group codes, that of the kind first.
-        texts: the values.
-        line: the line of the file that names the kind.
-        first: the index of the first value of each group.
-
-    Attributes:
-        kind: "LINE", for instance.
-        codes, texts, line: as given.
-        vertices: the entities that follow it and belong to it.
+    The `vertices` are the entities that follow it and belong to it.
     """
 
-    __slots__ = ("_first", "codes", "kind", "line", "texts", "vertices")
+    __slots__ = ("codes", "kind", "line", "texts", "vertices")
 
-    def __init__(
-        self, codes: Sequence[int], texts: Sequence[str], line: int, first: Mapping[int, int]
-    ) -> None:
-        self.codes, self.texts, self.line, self._first = codes, texts, line, first
+    def __init__(self, codes: Sequence[int], texts: Sequence[str], line: int) -> None:
+        self.codes, self.texts, self.line = codes, texts, line
         self.kind = texts[0].strip()
         self.vertices: Sequence[Entity] = ()
 
@@ -74,9 +63,7 @@ class Entity:
 
     def number(self, code: int, default: str | None = None) -> Fraction:
         """Return the number with a group code; a missing one needs a default."""
-        if default is not None and code not in self._first:
-            return to_fraction(default)
-        text = self._text(code, None)
+        text = self._text(code, default)
         with name_refusals(f"group {code}", FormatError):
             return read_decimal(text)
 
@@ -149,7 +136,7 @@ class Entity:
         return points, bulges
 
     def _text(self, code: int, default: str | None) -> str:
-        text = self.texts[self._first[code]] if code in self._first else default
+        text = self.texts[self.codes.index(code)] if code in self.codes else default
         if text is None:
             raise FormatError(f"group {code} is missing")
         return text.strip()
@@ -158,11 +145,8 @@ class Entity:
 class Drawing(NamedTuple):
     """The drawing of a DXF text.
 
-    Attributes:
-        blocks: the entities of each block, after its own, which has the base point.
-        unit: the millimetres of its unit; None if it does not state one.
-        hidden: the reason why a layer is hidden, by its name in upper case.
-        unplotted: visible layers that do not plot.
+    Each block begins with its own entity, which has the base point. `hidden` has the reason by the
+    layer's name in upper case.
     """
 
     entities: list[Entity]
@@ -228,13 +212,10 @@ def _divide(text: str) -> Iterator[Entity]:
     # Includes the vertices of old polylines.
     require_count(len(starts), ENTITY, "entities")
     # Equal rows of codes share one object.
-    same: dict[tuple[int, ...], tuple[tuple[int, ...], dict[int, int]]] = {}
+    same: dict[tuple[int, ...], tuple[int, ...]] = {}
     for start, end in pairwise([*starts, len(codes)]):
         own = tuple(codes[start:end])
-        if own not in same:
-            same[own] = own, {code: k for k, code in reversed([*enumerate(own)])}
-        shared, first = same[own]
-        entity = Entity(shared, values[start:end], 2 * start + 2, first)
+        entity = Entity(same.setdefault(own, own), values[start:end], 2 * start + 2)
         if end == len(codes) < len(values) and entity.kind != "EOF":
             place = f"line {2 * end + 1}: {quote(words[end])}"
             raise FormatError(f"not DXF: {place} is no group code")
