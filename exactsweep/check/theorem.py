@@ -33,7 +33,7 @@ Import ListNotations.
 Open Scope Q_scope.
 """
 ANSWER = """(* The answer of the checker. If it is false, Coq reports at Qed that the term has type
-   "accepted = accepted" while it is expected to have type "accepted = true". *)
+   "true = true" while it is expected to have type "accepted = true". *)
 """
 TITLES = {
     "no_fit": "A no-fit polygon: exterior, holes, and exact fits.",
@@ -70,7 +70,7 @@ def write_theorem(certificate: Any, name: str = "certificate") -> str:
         f"\n{ANSWER}Notation accepted :=\n  ({check} {names}).",
         f"\nTheorem proved : Statements.{stated} {question}.",
         f"Proof.\n  apply ({sound} {names}).",
-        "  vm_cast_no_check (eq_refl accepted).\nQed.",
+        "  vm_cast_no_check (eq_refl true).\nQed.",
         "Print Assumptions proved.\n",
     ]
     return "\n".join(lines)

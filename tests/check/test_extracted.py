@@ -264,7 +264,7 @@ def test_coq_proves_a_certificate_and_not_a_changed_one(tmp_path: Path, kind: st
     assert (done.stdout, done.returncode) == (CLOSED, 0)
     done = compile_theorem(tmp_path, "wrong", wrong)
     assert (done.stdout, done.returncode != 0) == ("", True)
-    failure = '"accepted = accepted"\nwhile it is expected to have type "accepted = true"'
+    failure = '"true = true"\nwhile it is expected to have type "accepted = true"'
     assert failure in done.stderr
 
 

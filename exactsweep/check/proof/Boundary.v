@@ -607,8 +607,6 @@ Proof.
   destruct (All sums ltac:(auto)) as (e & E & He). exists e. split; [exact E|]. intros y Y (S & I & J). exact (He y Y S I J).
 Qed.
 
-Lemma close_sym e y z : Statements.close e y z -> Statements.close e z y.
-Proof. unfold Statements.close. lra. Qed.
 
 Theorem boundary : (forall t, {L t} + {~ L t}) -> forall t, L t <-> (Statements.closure O t /\ ~ O t).
 Proof.

@@ -82,11 +82,8 @@ Proof.
 Qed.
 
 (* 2. Booleans *)
-Definition inS_b (S : list side) (x : qpoint) : bool := forallb (fun f => Statements.less 0 (o f x)) S.
 Lemma less_true x y : Statements.less x y = true <-> x < y.
 Proof. destruct (less_cases x y) as [(H & ->)|(H & ->)]; split; try congruence; try lra; auto. Qed.
-Lemma inS_b_spec S x : inS_b S x = true <-> inS S x.
-Proof. unfold inS_b, inS. rewrite forallb_forall. split; intros H f I; apply less_true, H, I. Qed.
 
 Definition within (a b x : Q) : bool := (Qle_bool a x && Qle_bool x b) || (Qle_bool b x && Qle_bool x a).
 Definition on_b (e : side) (x : qpoint) : bool :=
@@ -144,68 +141,14 @@ Proof.
     assert (existsb (fun e => on_b e x) es = true); [|congruence]. apply existsb_exists. exists e. auto.
 Qed.
 
-Definition same_b (p q : qpoint) : bool := Qeq_bool (fst p) (fst q) && Qeq_bool (snd p) (snd q).
-Definition convex_b (S : list side) : bool :=
-  forallb (fun f =>
-    existsb (fun g => same_b (snd g) (fst f) && Statements.less 0 (o g (snd f))) S &&
-    existsb (fun g => same_b (fst g) (snd f) && Statements.less 0 (o g (fst f))) S &&
-    forallb (fun g => Qle_bool 0 (o g (fst f)) && Qle_bool 0 (o g (snd f)) &&
-      (Statements.less 0 (o g (fst f)) || (Statements.less 0 (o g (snd f)) || Qeq_bool (rise g) (rise f)))) S) S.
-Lemma convex_b_spec S : convex_b S = true -> convex S /\ linked S.
-Proof.
-  unfold convex_b, convex, linked. rewrite forallb_forall. intro H. split.
-  - intros f g I G. specialize (H f I). apply andb_prop in H as (_ & C). rewrite forallb_forall in C. specialize (C g G).
-    apply andb_prop in C as (C & E). apply andb_prop in C as (A & B). apply Qle_bool_iff in A, B.
-    split; [exact A|]. split; [exact B|]. apply orb_prop in E as [E|E]; [left; apply less_true, E|right].
-    apply orb_prop in E as [E|E]; [left; apply less_true, E|right; apply Qeq_bool_iff, E].
-  - intros f I. specialize (H f I). apply andb_prop in H as (H & _). apply andb_prop in H as (A & B).
-    apply existsb_exists in A as (g & G & A). apply andb_prop in A as (A & A').
-    apply existsb_exists in B as (h & Hh & B). apply andb_prop in B as (B & B').
-    apply andb_prop in A as (A1 & A2). apply andb_prop in B as (B1 & B2). apply Qeq_bool_iff in A1, A2, B1, B2.
-    apply less_true in A', B'. split; [exists g|exists h]; repeat split; assumption.
-Qed.
 
-Definition distinct_b (e g : side) : bool :=
-  negb (Qeq_bool (rise e * run g - rise g * run e) 0) || negb (Qeq_bool (o e (fst g)) 0) ||
-  Qle_bool (high e) (low g) || Qle_bool (high g) (low e).
-Lemma negb_eq x : negb (Qeq_bool x 0) = true -> ~ x == 0.
-Proof. intros H E. apply Qeq_bool_iff in E. rewrite E in H. discriminate. Qed.
-Lemma distinct_b_spec e g : distinct_b e g = true -> distinct e g.
-Proof.
-  unfold distinct_b, distinct. intro H. apply orb_prop in H as [H|H]; [|right; right; right; apply Qle_bool_iff, H].
-  apply orb_prop in H as [H|H]; [|right; right; left; apply Qle_bool_iff, H].
-  apply orb_prop in H as [H|H]; [left|right; left]; apply negb_eq, H.
-Qed.
-Lemma distinct_pairs l : all_pairs distinct_b l = true -> ForallOrdPairs distinct l.
-Proof.
-  intro H. apply all_pairs_spec in H. induction H as [|a l A B IH]; [apply FOP_nil|apply FOP_cons; [|exact IH]].
-  rewrite Forall_forall in *. intros g G. apply distinct_b_spec, A, G.
-Qed.
 
 (* 3. Chains of parameters along a segment *)
 Definition point_at (f : side) (s : Q) : qpoint :=
   (fst (fst f) + s * (fst (snd f) - fst (fst f)), snd (fst f) + s * (snd (snd f) - snd (fst f))).
 Fixpoint chain (step : Q -> Q -> bool) (s : Q) (l : list Q) : bool :=
   match l with [] => true | r :: m => step s r && chain step r m end.
-Lemma chain_find step x l : forall s, chain step s l = true -> s <= x -> l <> [] -> x <= last l 0 ->
-  exists u v, In u (s :: l) /\ In v (s :: l) /\ step u v = true /\ u <= x <= v.
-Proof.
-  induction l as [|r m IH]; intros s C S N E; [contradiction|]. cbn [chain] in C. apply andb_prop in C as (C1 & C2).
-  destruct (Qlt_le_dec r x) as [R|R].
-  - destruct m as [|q m]; [cbn in E; lra|].
-    destruct (IH r C2 ltac:(lra) ltac:(discriminate) E) as (u & v & U & V & X).
-    exists u, v. split; [right; exact U|]. split; [right; exact V|exact X].
-  - exists s, r. split; [left; reflexivity|]. split; [right; left; reflexivity|]. split; [exact C1|split; assumption].
-Qed.
 
-Definition all_cuts (cuts : list Q) : list Q := cuts ++ [1].
-Lemma cuts_find step cuts x : chain step 0 (all_cuts cuts) = true -> 0 <= x <= 1 ->
-  exists u v, In u (0 :: all_cuts cuts) /\ In v (0 :: all_cuts cuts) /\ step u v = true /\ u <= x <= v.
-Proof.
-  intros C (A & B). apply chain_find; [exact C|exact A| |].
-  - unfold all_cuts. destruct cuts; discriminate.
-  - unfold all_cuts. rewrite last_last. exact B.
-Qed.
 
 Lemma on_same e x y : meets_at x y -> Statements.on_segment e x -> Statements.on_segment e y.
 Proof. intros (A & B) (s & S & X & Y). exists s. split; [exact S|]. rewrite <- A, <- B. split; assumption. Qed.
@@ -236,76 +179,9 @@ Qed.
 Section Cover.
 Variables (sums : list (list side)) (segments : list side).
 
-Definition covered_b (x : qpoint) : bool := existsb (fun S => inS_b S x) sums || existsb (fun e => on_b e x) segments.
-Definition between_b (S : list side) (a b : qpoint) : bool :=
-  forallb (fun g => Qle_bool 0 (o g a) && Qle_bool 0 (o g b) && (Statements.less 0 (o g a) || Statements.less 0 (o g b))) S.
-Definition step_b (f : side) (u v : Q) : bool :=
-  existsb (fun S => between_b S (point_at f u) (point_at f v)) sums ||
-  existsb (fun e => on_b e (point_at f u) && on_b e (point_at f v)) segments.
-Definition cover_b (cuts : list Q) (f : side) : bool :=
-  forallb (fun s => covered_b (point_at f s)) (0 :: all_cuts cuts) && chain (step_b f) 0 (all_cuts cuts).
 
-Definition covered (x : qpoint) : Prop := (exists S, In S sums /\ inS S x) \/ (exists e, In e segments /\ Statements.on_segment e x).
-Lemma covered_b_spec x : covered_b x = true -> covered x.
-Proof.
-  unfold covered_b. intro H. apply orb_prop in H as [H|H]; apply existsb_exists in H as (S & I & H); [left|right]; exists S; split; try exact I.
-  - apply inS_b_spec, H.
-  - apply on_b_spec, H.
-Qed.
-Lemma covered_same x y : meets_at x y -> covered x -> covered y.
-Proof.
-  intros M [(S & I & H)|(e & I & H)]; [left; exists S|right; exists e]; split; try exact I.
-  - exact (inS_same S x y M H).
-  - exact (on_same e x y M H).
-Qed.
 
-Lemma cover_b_spec cuts f x : cover_b cuts f = true -> Statements.on_segment f x -> covered x.
-Proof.
-  unfold cover_b. intros H (s & S & X & Y). apply andb_prop in H as (P & C). rewrite forallb_forall in P.
-  assert (M : meets_at (point_at f s) x) by (split; cbn [fst snd point_at]; symmetry; assumption).
-  destruct (cuts_find _ _ s C S) as (u & v & U & V & St & Uv).
-  assert (End : forall w, In w (0 :: all_cuts cuts) -> w == s -> covered x).
-  { intros w W E. apply (covered_same (point_at f w)); [|apply covered_b_spec, P, W].
-    split; unfold point_at; cbn [fst snd]; rewrite E; symmetry; assumption. }
-  destruct (Qeq_dec u s) as [E1|E1]; [exact (End u U E1)|]. destruct (Qeq_dec v s) as [E2|E2]; [exact (End v V E2)|].
-  destruct (point_mid f u s v Uv) as (r & R & R0 & R1 & _ & Rx & Ry); [lra|].
-  assert (r0 : 0 < r) by (apply R0; lra). assert (r1 : r < 1) by (apply R1; lra).
-  apply (covered_same (point_at f s) x M). unfold step_b in St. apply orb_prop in St as [St|St].
-  - apply existsb_exists in St as (T & I & St). unfold between_b in St. rewrite forallb_forall in St. left. exists T.
-    split; [exact I|]. intros g G. specialize (St g G). apply andb_prop in St as (St & D). apply andb_prop in St as (A & B).
-    apply Qle_bool_iff in A, B. rewrite (o_share g _ _ r _ Rx Ry).
-    assert (0 <= (1 - r) * o g (point_at f u)) by (apply Qmult_le_0_compat; lra).
-    assert (0 <= r * o g (point_at f v)) by (apply Qmult_le_0_compat; lra).
-    apply orb_prop in D as [D|D]; apply less_true in D.
-    + assert (0 < (1 - r) * o g (point_at f u)) by (apply Qmult_lt_0_compat; lra). lra.
-    + assert (0 < r * o g (point_at f v)) by (apply Qmult_lt_0_compat; lra). lra.
-  - apply existsb_exists in St as (e & I & St). apply andb_prop in St as (A & B). apply on_b_spec in A, B.
-    right. exists e. split; [exact I|]. exact (segment_convex e _ _ _ r R A B Rx Ry).
-Qed.
 
 (* Sides along a segment, in its direction *)
-Definition same_way (a b : Q) : bool := (Qle_bool a 0 || Statements.less 0 b) && (Qle_bool 0 a || Statements.less b 0).
-Definition along_b (e : side) (u v : Q) : bool :=
-  existsb (fun S => existsb (fun f => on_b f (point_at e u) && on_b f (point_at e v) &&
-    same_way (rise e) (rise f) && same_way (run e) (run f)) S) sums.
-Definition beside_b (cuts : list Q) (e : side) : bool := chain (along_b e) 0 (all_cuts cuts).
 
-Lemma beside_b_spec cuts e x : beside_b cuts e = true -> Statements.on_segment e x ->
-  exists S f, In S sums /\ In f S /\ Statements.on_segment f x /\ (0 < rise e -> 0 < rise f) /\ (rise e < 0 -> rise f < 0).
-Proof.
-  unfold beside_b. intros C (s & S & X & Y).
-  assert (M : meets_at (point_at e s) x) by (split; cbn [fst snd point_at]; symmetry; assumption).
-  destruct (cuts_find _ _ s C S) as (u & v & U & V & St & Uv). unfold along_b in St.
-  apply existsb_exists in St as (T & I & St). apply existsb_exists in St as (f & F & St).
-  apply andb_prop in St as (St & _). apply andb_prop in St as (St & W). apply andb_prop in St as (A & B).
-  apply on_b_spec in A, B. exists T, f. split; [exact I|]. split; [exact F|]. split.
-  - destruct (Qeq_dec u v) as [E|E].
-    + apply (on_same f (point_at e u)); [|exact A]. assert (E' : u == s) by lra.
-      split; unfold point_at; cbn [fst snd]; rewrite E'; symmetry; assumption.
-    + destruct (point_mid e u s v Uv E) as (r & R & _ & _ & _ & Rx & Ry).
-      apply (on_same f (point_at e s) x M). exact (segment_convex f _ _ _ r R A B Rx Ry).
-  - unfold same_way in W. apply andb_prop in W as (W1 & W2). split; intro P.
-    + apply orb_prop in W1 as [W1|W1]; [apply Qle_bool_iff in W1; lra|apply less_true, W1].
-    + apply orb_prop in W2 as [W2|W2]; [apply Qle_bool_iff in W2; lra|apply less_true, W2].
-Qed.
 End Cover.

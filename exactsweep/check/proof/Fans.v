@@ -25,9 +25,3 @@ Proof.
     rewrite (cross_sym p r). lia.
 Qed.
 
-Lemma wind_flat os z : wind (flat_map sides os) z = wind (flat_map edges3 (flat_map fan os)) z.
-Proof.
-  induction os as [|o r IH]; [reflexivity|].
-  change (wind (sides o ++ flat_map sides r) z = wind (flat_map edges3 (fan o ++ flat_map fan r)) z).
-  rewrite flat_map_app, !wind_app, wind_fan, IH. reflexivity.
-Qed.

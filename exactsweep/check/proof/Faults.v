@@ -5,8 +5,6 @@ From Exactsweep Require Import HalfOpen Boundary SumPoints Covers Near Disc Dept
 Import ListNotations.
 Open Scope Q_scope.
 
-Lemma known_self e (S : qpoint -> Prop) : 0 <= e -> Statements.known_to e S S.
-Proof. intros E z I. apply within_self; assumption. Qed.
 Lemma keeps_disjoint d A B : Statements.keeps d (Statements.inside A) (Statements.inside B) ->
   Statements.disjoint (Statements.inside A) (Statements.inside B).
 Proof. intros (N & _). apply disjoint_iff, N. Qed.
@@ -26,8 +24,6 @@ Proof.
 Qed.
 
 (* Figures drawn as rings and known exactly: no two have a common point; each is in the sheet and off each obstacle. *)
-Lemma shape_drawn f : 0 <= Statements.error f -> Statements.shape_of f (Statements.drawn f).
-Proof. intros E z I. apply within_self; [exact E|exact I]. Qed.
 Lemma shape_inside f : 0 <= Statements.error f -> Statements.shape_of f (Statements.inside (Statements.outline f)).
 Proof. intros E z I. apply within_self; [exact E|left; exact I]. Qed.
 Theorem valid_exact l : Statements.valid l ->

@@ -43,64 +43,13 @@ Proof.
     + intros. apply min_dot_spec. assumption.
 Qed.
 
-Lemma max_dot_le n v vs a : (forall p, In p (v :: vs) -> dot n p <= a) -> max_dot n v vs <= a.
-Proof.
-  unfold max_dot. induction vs as [|w vs IH]; intro H; cbn [fold_right]; [apply H; left; reflexivity|].
-  pose proof (H w (or_intror (or_introl eq_refl))). assert (fold_right (fun p m => Z.max (dot n p) m) (dot n v) vs <= a); [|lia].
-  apply IH. intros p [<-|I]; apply H; [left; reflexivity|right; right; exact I].
-Qed.
-Lemma min_dot_ge n v vs b : (forall p, In p (v :: vs) -> b <= dot n p) -> b <= min_dot n v vs.
-Proof.
-  unfold min_dot. induction vs as [|w vs IH]; intro H; cbn [fold_right]; [apply H; left; reflexivity|].
-  pose proof (H w (or_intror (or_introl eq_refl))). assert (b <= fold_right (fun p m => Z.min (dot n p) m) (dot n v) vs); [|lia].
-  apply IH. intros p [<-|I]; apply H; [left; reflexivity|right; right; exact I].
-Qed.
 
 (* Subsets of distant sets are distant. *)
-Lemma far_parts d n vs ws p q : far d n vs ws = true -> incl p vs -> incl q ws -> p <> [] -> q <> [] -> far d n p q = true.
-Proof.
-  intros F P Q Np Nq. destruct (far_spec _ _ _ _ F) as (N & a & b & A & B & C & D).
-  destruct p as [|v p]; [contradiction|]. destruct q as [|w q]; [contradiction|]. unfold far.
-  pose proof (max_dot_le n v p a (fun x I => A x (P x I))) as M. pose proof (min_dot_ge n w q b (fun x I => B x (Q x I))) as M'.
-  apply andb_true_intro. split; [apply andb_true_intro; split|].
-  - destruct n as [x y]. cbn [fst snd]. destruct (Z.eqb_spec x 0) as [->|]; [|reflexivity].
-    destruct (Z.eqb_spec y 0) as [->|]; [congruence|reflexivity].
-  - apply Z.leb_le. lia.
-  - apply Z.leb_le. nia.
-Qed.
 
 Lemma dot_grow k n p : dot n (grow k p) = k * dot n p.
 Proof. unfold dot, grow. cbn. ring. Qed.
 
-Lemma far_bounds d n p q k : 0 < k -> far d n p q = true -> is_fan p = true -> is_fan q = true ->
-  exists a b, (forall y, 1 <= ring_wind (map (grow k) p) y -> dot n y <= a) /\
-    (forall z, 1 <= ring_wind (map (grow k) q) z -> b <= dot n z) /\
-    a <= b /\ (k * d) * (k * d) * dot n n <= (b - a) * (b - a) /\ n <> (0, 0).
-Proof.
-  intros K F P Q. destruct (far_spec _ _ _ _ F) as (N & a & b & A & B & C & D).
-  exists (k * a), (k * b). repeat split; try nia; try assumption.
-  - intros y Y. apply (piece_bound _ y n _ (is_fan_grow k p K P) Y).
-    intros v I. apply in_map_iff in I as (u & <- & I). rewrite dot_grow. specialize (A u I). nia.
-  - intros z Y. enough (dot (- fst n, - snd n) z <= - (k * b)) by (rewrite dot_opp in *; lia).
-    apply (piece_bound _ z _ _ (is_fan_grow k q K Q) Y).
-    intros v I. apply in_map_iff in I as (u & <- & I). rewrite dot_opp, dot_grow. specialize (B u I). nia.
-Qed.
 
-Lemma far_dist d n p q k y z : 0 < k -> far d n p q = true -> is_fan p = true -> is_fan q = true ->
-  1 <= ring_wind (map (grow k) p) y -> 1 <= ring_wind (map (grow k) q) z -> (k * d) * (k * d) <= dist2 y z.
-Proof.
-  intros K F P Q Y X. destruct (far_bounds d n p q k K F P Q) as (a & b & A & B & C & D & N).
-  specialize (A y Y). specialize (B z X).
-  assert (S : dot n n * dist2 y z = (dot n z - dot n y) * (dot n z - dot n y) +
-    (fst n * (snd z - snd y) - snd n * (fst z - fst y)) * (fst n * (snd z - snd y) - snd n * (fst z - fst y)))
-    by (unfold dot, dist2; ring).
-  assert (0 < dot n n).
-  { unfold dot. destruct n as [u v]. cbn in *. assert (u <> 0 \/ v <> 0) as [U|U]; [|nia|nia].
-    destruct (Z.eq_dec u 0); [right; congruence|left; assumption]. }
-  assert ((b - a) * (b - a) <= (dot n z - dot n y) * (dot n z - dot n y)) by nia.
-  revert D S H H0. generalize (fst n * (snd z - snd y) - snd n * (fst z - fst y)) ((b - a) * (b - a))
-    ((dot n z - dot n y) * (dot n z - dot n y)) (dot n n) (dist2 y z) ((k * d) * (k * d)). clear. intros. nia.
-Qed.
 
 Lemma far_share d n p q k z : 0 < k -> far d n p q = true -> is_fan p = true -> is_fan q = true ->
   ring_wind (map (grow k) p) z + ring_wind (map (grow k) q) z <= 1.

@@ -214,15 +214,6 @@ Proof.
   unfold in_box. intro H. repeat match type of H with _ && _ = true => let X := fresh "X" in apply andb_prop in H as (H & X); apply Qle_bool_iff in X end.
   apply Qle_bool_iff in H. lra.
 Qed.
-Lemma within_L t : Statements.on_any segments t -> ~ beyond t.
-Proof.
-  intros (e & I & s & (S0 & S1) & X & Y). destruct (Within e I) as (A & B). apply in_box_spec in A, B. unfold beyond.
-  assert (M : forall l r p q x, l <= p <= r -> l <= q <= r -> x == p + s * (q - p) -> l <= x <= r).
-  { intros l r p q x (P1 & P2) (Q1 & Q2) E.
-    assert (0 <= s * (q - l)) by (apply Qmult_le_0_compat; lra). assert (0 <= (1 - s) * (p - l)) by (apply Qmult_le_0_compat; lra).
-    assert (0 <= s * (r - q)) by (apply Qmult_le_0_compat; lra). assert (0 <= (1 - s) * (r - p)) by (apply Qmult_le_0_compat; lra). lra. }
-  pose proof (M _ _ _ _ _ (proj1 A) (proj1 B) X). pose proof (M _ _ _ _ _ (proj2 A) (proj2 B) Y). lra.
-Qed.
 
 Lemma region_edge e : In e (flat_map Statements.edges regions) ->
   (bl # N <= fst (fst e) <= br # N /\ bb # N <= snd (fst e) <= bt # N) /\

@@ -273,16 +273,6 @@ Proof.
   - intros (z & X & Y). apply A. exists z. auto.
   - intros y z Y Z. specialize (B z y Z Y). unfold Statements.dist2 in *. lra.
 Qed.
-Lemma solid_covers rs ps e : all_integral (Zpos N) rs = true -> simple_solid {| rings := int_rings (Zpos N) rs; pieces := ps |} = true ->
-  covers_set (make_item (map (fun p => (p, 0%Z)) ps) e) (Statements.inside rs).
-Proof.
-  intros I H y Y K. unfold Statements.inside in Y.
-  apply (count_pieces N {| rings := int_rings (Zpos N) rs; pieces := ps |} rs y H I eq_refl) in Y as (P & IP & W).
-  apply (K (region_of (P, 0%Z))).
-  - unfold make_item. cbn [parts]. rewrite map_map. exact (in_map (fun p => region_of (p, 0%Z)) ps P IP).
-  - apply within_self; [apply frac_nonneg; cbn; lia|]. cbn [fst region_of].
-    apply piece_core; [exact (proj1 (proj2 (simple_spec _ H)) P IP)|exact W].
-Qed.
 Lemma make_sound ps e : (0 <= e)%Z -> (forall p, In p ps -> (0 <= snd p)%Z) -> sound (make_item ps e).
 Proof. intros E P. split; [exact E|]. split; [reflexivity|exact P]. Qed.
 Lemma flat_sound (ps : list ring) e : (0 <= e)%Z -> sound (make_item (map (fun p => (p, 0%Z)) ps) e).

@@ -113,12 +113,6 @@ Proof.
   exists k, (a, b), (c, d). repeat split; assumption.
 Qed.
 
-Lemma dist2_at K y z v w : pat K y v -> pat K z w -> at_ (K * K) (Statements.dist2 y z) (dist2 v w).
-Proof.
-  intros (A & B) (C & D). unfold at_ in *. unfold Statements.dist2, dist2.
-  repeat (rewrite ?inject_Z_mult, ?inject_Z_plus, ?inject_Z_opp || unfold Z.sub).
-  rewrite <- A, <- B, <- C, <- D. ring.
-Qed.
 
 (* Numbers at a common denominator. Fractions are reduced first; `move` does not reduce. *)
 Definition integral (D : Z) (q : Q) : bool := D mod (QDen (Qred q)) =? 0.

@@ -69,14 +69,6 @@ Proof.
     try destruct (Z.ltb_spec (-1 * d) 0); lia.
 Qed.
 
-Lemma wind_weigh_k k es z : 0 < k -> wind (map (grow_edge k) es) z = weigh (phik k z) (signed es).
-Proof.
-  intro K. induction es as [|e r IH]; [reflexivity|].
-  change (cross (grow_edge k e) z + wind (map (grow_edge k) r) z = 1 * phik k z (ln e, fst e)
-    + (-1 * phik k z (ln e, snd e) + weigh (phik k z) (signed r))).
-  rewrite IH, cross_phik by assumption. ring.
-Qed.
-
 (* Level edges contribute nothing. *)
 Definition tilted (e : edge) : bool := negb (snd (fst e) =? snd (snd e)).
 Lemma wind_tilted k es z : wind (map (grow_edge k) (filter tilted es)) z = wind (map (grow_edge k) es) z.
@@ -105,19 +97,6 @@ Module KeyOrder <: TotalLeBool.
   Qed.
 End KeyOrder.
 Module KeySort := Sort KeyOrder.
-(* Each run of one key adds up to 0. *)
-Fixpoint runs_cancel (k : key) (s : Z) (l : list (key * Z)) : bool :=
-  match l with
-  | [] => s =? 0
-  | (k', s') :: r =>
-      match key_compare k k' with Eq => runs_cancel k (s + s') r | _ => (s =? 0) && runs_cancel k' s' r end
-  end.
-Definition cancel (pieces rings : list edge) : bool :=
-  match KeySort.sort (signed (filter tilted pieces) ++ neg (signed (filter tilted rings))) with
-  | [] => true
-  | (k, s) :: r => runs_cancel k s r
-  end.
-
 Lemma key_compare_eq x y : key_compare x y = Eq -> x = y.
 Proof.
   destruct x as (((a, b), c), (u, v)), y as (((a', b'), c'), (u', v')). unfold key_compare. cbn [fst snd].
@@ -125,27 +104,60 @@ Proof.
   destruct (Z.compare_spec c c'); try discriminate. destruct (Z.compare_spec u u'); try discriminate.
   destruct (Z.compare_spec v v'); try discriminate. cbn. congruence.
 Qed.
-Lemma runs_cancel_total l : forall k s, runs_cancel k s l = true -> forall x, (if key_dec k x then s else 0) + total l x = 0.
-Proof.
-  induction l as [|(k', s') r IH]; intros k s H x; cbn [runs_cancel total] in *.
-  - apply Z.eqb_eq in H. subst s. destruct (key_dec k x); reflexivity.
-  - destruct (key_compare k k') eqn:C.
-    + apply key_compare_eq in C. subst k'. pose proof (IH _ _ H x) as E. destruct (key_dec k x); lia.
-    + apply andb_prop in H as (S0 & H). apply Z.eqb_eq in S0. subst s. pose proof (IH _ _ H x). destruct (key_dec k x); lia.
-    + apply andb_prop in H as (S0 & H). apply Z.eqb_eq in S0. subst s. pose proof (IH _ _ H x). destruct (key_dec k x); lia.
-Qed.
-Lemma total_permutation l m x : Permutation l m -> total l x = total m x.
-Proof. induction 1 as [|(k, s) l m _ IH|(k, s) (k', s') l|l m n _ IH _ IH']; cbn [total]; lia. Qed.
+(* Equal keys are merged; those that add up to 0 are dropped. *)
+Definition keep (k : key) (s : Z) (l : list (key * Z)) : list (key * Z) := if s =? 0 then l else (k, s) :: l.
+Fixpoint runs (k : key) (s : Z) (l : list (key * Z)) : list (key * Z) :=
+  match l with
+  | [] => keep k s []
+  | (k', s') :: r => match key_compare k k' with Eq => runs k (s + s') r | _ => keep k s (runs k' s' r) end
+  end.
+Definition merge (l : list (key * Z)) : list (key * Z) := match KeySort.sort l with [] => [] | (k, s) :: r => runs k s r end.
 
+Lemma keep_weigh f k s l : weigh f (keep k s l) = s * f k + weigh f l.
+Proof. unfold keep. destruct (Z.eqb_spec s 0) as [->|]; [ring|reflexivity]. Qed.
+Lemma runs_weigh f l : forall k s, weigh f (runs k s l) = s * f k + weigh f l.
+Proof.
+  induction l as [|(k', s') r IH]; intros k s; cbn [runs weigh]; [apply keep_weigh|].
+  destruct (key_compare k k') eqn:C; [|rewrite keep_weigh, IH; ring|rewrite keep_weigh, IH; ring].
+  apply key_compare_eq in C. subst k'. rewrite IH. ring.
+Qed.
+Lemma weigh_permutation f l m : Permutation l m -> weigh f l = weigh f m.
+Proof. induction 1 as [|(k, s) l m _ IH|(k, s) (k', s') l|l m n _ IH _ IH']; cbn [weigh]; lia. Qed.
+Lemma merge_weigh f l : weigh f (merge l) = weigh f l.
+Proof.
+  rewrite (weigh_permutation f l _ (KeySort.Permuted_sort l)). unfold merge.
+  destruct (KeySort.sort l) as [|(k, s) r]; [reflexivity|]. apply runs_weigh.
+Qed.
+
+(* First opposite edges of two pieces, and edges of pieces that are edges of rings, cancel as they are, then parts of
+   edges, line by line. *)
+Definition edge_key (e : edge) : key * Z :=
+  let (p, q) := e in if snd p <? snd q then (((fst p, snd p, fst q), (snd q, 0)), 1) else (((fst q, snd q, fst p), (snd p, 0)), -1).
+Definition key_edge (k : key) : edge := let '((a, b, c), (d, _)) := k in ((a, b), (c, d)).
+Definition edge_keys (es : list edge) : list (key * Z) := map edge_key (filter tilted es).
+Definition line_keys (x : key * Z) : list (key * Z) :=
+  let e := key_edge (fst x) in let l := ln e in [((l, fst e), snd x); ((l, snd e), - snd x)].
+Definition cancel (pieces rings : list edge) : bool :=
+  match merge (flat_map line_keys (merge (edge_keys pieces ++ neg (edge_keys rings)))) with [] => true | _ => false end.
+
+Lemma edge_keys_wind k es z : weigh (fun x => cross (grow_edge k (key_edge x)) z) (edge_keys es) = wind (map (grow_edge k) es) z.
+Proof.
+  rewrite <- wind_tilted. unfold edge_keys. induction (filter tilted es) as [|((a, b), (c, d)) r IH]; [reflexivity|].
+  cbn [map wind]. rewrite <- IH. unfold edge_key at 1. cbn [fst snd].
+  destruct (b <? d); cbn [weigh key_edge]; unfold grow_edge; cbn [fst snd]; [ring|]. rewrite (cross_sym (grow k (a, b))). ring.
+Qed.
+Lemma line_keys_weigh k l z : 0 < k -> weigh (phik k z) (flat_map line_keys l) = weigh (fun x => cross (grow_edge k (key_edge x)) z) l.
+Proof.
+  intro K. induction l as [|(x, s) r IH]; [reflexivity|]. cbn [flat_map]. rewrite weigh_app, IH. unfold line_keys. cbv zeta. cbn [weigh fst snd].
+  rewrite (cross_phik k _ z K). ring.
+Qed.
 Lemma cancel_wind k es fs z : 0 < k -> cancel es fs = true ->
   wind (map (grow_edge k) es) z = wind (map (grow_edge k) fs) z.
 Proof.
-  intros K C. rewrite <- (wind_tilted k es), <- (wind_tilted k fs), !wind_weigh_k by assumption.
-  unfold cancel in C. set (l := signed (filter tilted es)) in *. set (m := signed (filter tilted fs)) in *.
-  assert (weigh (phik k z) (l ++ neg m) = 0) as E.
-  { eapply weigh_zero; [apply le_n|]. intro x. rewrite (total_permutation _ _ x (KeySort.Permuted_sort (l ++ neg m))).
-    destruct (KeySort.sort (l ++ neg m)) as [|(k0, s0) r]; [reflexivity|]. exact (runs_cancel_total r k0 s0 C x). }
-  rewrite weigh_app, weigh_neg in E. lia.
+  intros K C. rewrite <- !edge_keys_wind. unfold cancel in C. set (l := edge_keys es ++ neg (edge_keys fs)) in *.
+  pose proof (merge_weigh (phik k z) (flat_map line_keys (merge l))) as M.
+  destruct (merge (flat_map line_keys (merge l))); [|discriminate]. rewrite (line_keys_weigh k _ z K), merge_weigh in M. unfold l in M.
+  rewrite weigh_app, weigh_neg in M. change (weigh (phik k z) []) with 0 in M. lia.
 Qed.
 
 (* Winding numbers at scale k *)

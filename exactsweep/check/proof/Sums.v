@@ -193,11 +193,6 @@ Proof.
   apply andb_prop in H as (H1 & H2). intros c [<-|I]; [exists b; split; [left; reflexivity|exact H1]|].
   destruct (IH m H2 c I) as (d & D & F). exists d. split; [right; exact D|exact F].
 Qed.
-Lemma zip_all_pair {A B} (f : A -> B -> bool) l m : zip_all f l m = true -> forall a b, In (a, b) (combine l m) -> f a b = true.
-Proof.
-  revert m. induction l as [|a l IH]; intros [|b m] H; cbn [zip_all] in H; try discriminate; [intros c d []|].
-  apply andb_prop in H as (H1 & H2). intros c d [E|I]; [injection E as <- <-; exact H1|exact (IH m H2 c d I)].
-Qed.
 Lemma zip_seq {B} (f : nat -> B -> bool) (m : list B) : forall k, zip_all f (seq k (length m)) m = true ->
   forall i e, nth_error m i = Some e -> f (k + i)%nat e = true.
 Proof.
@@ -229,10 +224,6 @@ Proof.
   destruct (Qlt_le_dec 0 (o (qe f) (third z))) as [|L]; [assumption|exfalso].
   unfold o, Spans.qe in L. cbn [fst snd] in L.
   apply (at_le (3 * Zpos N * (3 * Zpos N)) _ _ _ 0%Z ltac:(lia) A (at_zero _)) in L. lia.
-Qed.
-Lemma third_plus p q : meets_at (third (plus p q)) (fst (third p) + fst (third q), snd (third p) + snd (third q)).
-Proof.
-  unfold meets_at, third, plus. cbn [fst snd]. split; unfold Qeq, Qplus; cbn [Qnum Qden]; rewrite !Pos2Z.inj_mul; ring.
 Qed.
 
 Lemma is_convex_sum_spec S : is_convex_sum S = true -> convex (map qe S) /\ linked (map qe S).
