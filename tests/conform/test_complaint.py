@@ -54,7 +54,48 @@ UNDEFINED = "mine.cpp:7:149: runtime error: signed integer overflow: 1 + 2\nmore
 ASSERT = "mine: mine.cpp:7: int main(int, char**): Assertion `x.size()==4' failed.\nAborted\n"
 GO = "panic: runtime error: index out of range [5] with length 3\n\ngoroutine 1 [running]:\n"
 SHARP = "Unhandled exception. System.DivideByZeroException: no\n   at Mine.Main() in M.cs:line 3\n"
+MODULE = """node:internal/modules/cjs/loader:1228
+  throw err;
+  ^
+
+Error: Cannot find module './nope'
+Require stack:
+- /app/mine.js
+    at Module._resolveFilename (node:internal/modules/cjs/loader:1225:15)
+    at Object.<anonymous> (/app/mine.js:2:1) {
+  code: 'MODULE_NOT_FOUND',
+  requireStack: [ '/app/mine.js' ]
+}
+
+Node.js v20.20.2
+"""
+REJECTED = """node:internal/process/promises:389
+      new UnhandledPromiseRejection(reason);
+      ^
+
+UnhandledPromiseRejection: This error originated either by throwing inside of an async function \
+without a catch block, or by rejecting a promise which was not handled with .catch(). The promise \
+rejected with the reason "no area".
+    at throwUnhandledRejectionsMode (node:internal/process/promises:389:7) {
+  code: 'ERR_UNHANDLED_REJECTION'
+}
+
+Node.js v20.20.2
+"""
+ABORTED = """Assertion failed: no area
+----- Native stack trace -----
+
+ 1: 0xb7a3a0 node::Abort() [node]
+----- JavaScript stack trace -----
+
+1: abort (node:internal/process/per_thread:190:12)
+2: /app/mine.js:1:37
+"""
 NAMED = {
+    MODULE: ("Error: Cannot find module './nope'", "mine.js line 2"),
+    NODE.format("Gap: of 2\nunits", 3): ("Gap: of 2", "mine.js line 3"),
+    REJECTED: ("unhandled rejection: no area", ""),
+    ABORTED: ("Assertion failed: no area", ""),
     NODE.format("TypeError: no", 2): ("TypeError: no", "mine.js line 2"),
     NODE.format("E [Error]: own", 3): ("E [Error]: own", "mine.js line 3"),
     PYTHON: ("ValueError: second", "mine.py line 7"),

@@ -15,7 +15,7 @@ _WHAT = re.compile(r"^\s+what\(\):\s*(.*)")
 _NAMED = re.compile(
     r"""
       ^(?:.*\ )?(?:Uncaught\ |Unhandled\ exception\.?\ |Exception\ in\ thread\ "[^"]*"\ )
-    | ^(?:[\w$]+[.:]+)*[A-Z][\w$]*(?:Error|Exception|Exit|Interrupt|Fault)\b
+    | ^(?:[\w$]+[.:]+)*(?:[A-Z][\w$]*)?(?:Error|Exception|Exit|Interrupt|Fault)\b
       (?:\ \[\w+\])?(?::|\ \(|$)
     | ^(?:==\d+==\s*)?(?:ERROR|WARNING|SUMMARY):\ \w+Sanitizer:
     | :\ runtime\ error:\ | ^(?:runtime|fatal)\ error:\ | ^panic:\ | :\ Assertion\ .*\ failed
@@ -26,9 +26,12 @@ _NAMED = re.compile(
 """A line that names an error: of Node, Java, C#, Python, sanitizers, Go, assert or valgrind."""
 _TRAILER = re.compile(
     r"^(?:Node\.js v\d|note: run with `RUST_BACKTRACE|stack backtrace:|\(Use `node --trace|"
-    r"Aborted|Segmentation fault|==\d+==\s*ABORTING|=+$|\s*at )"
+    r"Aborted|Segmentation fault|==\d+==\s*ABORTING|=+$|\s*at |-+ \w+ stack trace -|\s*\d+: )"
 )
 """A line below the error without information."""
+_CARET = re.compile(r"^\s*\^+$")
+"""A line below the source line of an error, which follows it."""
+_REJECTED = re.compile(r'rejected with the reason "(.*)"')
 _PLACES = (
     re.compile(r'File "(?:[^"]*[/\\])?([^"/\\]*)", line (\d+)'),
     re.compile(r"\bat (?:.*[ (])?(?:file://)?(?!node:)(?:[^\s()]*[/\\])?([\w.-]+\.\w+):(\d+)"),
@@ -65,6 +68,9 @@ def find_error(stderr: str) -> str:
             return f"{thrown[1]}: {said[1]}" if said else f"uncaught exception {thrown[1]}"
         if _NAMED.search(line):
             return line.strip()
+        if after and _CARET.match(line):
+            rejected = _REJECTED.search(after)
+            return f"unhandled rejection: {rejected[1]}" if rejected else after.strip()
     rest = [line for line in lines if not _TRAILER.match(line)]
     return (rest or lines or [""])[-1].strip()
 
