@@ -51,7 +51,7 @@ def test_lost_rings_are_counted() -> None:
         assert say(case, "no_fit", exact[:-1]) == (f"lacks 1 of {n} holes",)
         assert say(case, "no_fit", exact[:1]) == ("lacks the holes",)
         away = shift(exact[-1], Fraction(1000))
-        assert say(case, "no_fit", [*exact[:-1], away]) == (f"{n} of {n + 1} rings are exact",)
+        assert say(case, "no_fit", [*exact[:-1], away]) == (f"exact in {n} of {n + 1} rings",)
     several = next(c for c in cases() if c.inner_regions and len(c.inner_regions) == 2)
     exact = list(list_exact_rings(several, "inner_fit"))
     assert say(several, "inner_fit", []) == ("reports that G does not fit",)

@@ -109,9 +109,7 @@ def test_mistakes_are_named_in_terms_of_sums() -> None:
     wrong = {
         "exact for a + (-b), b reflected": [loop.vertices for loop in add([d], [g])],
         "exact for -(a + b)": [[(-x, -y) for x, y in ring] for ring in exact],
-        "exact for another reference point: translated by (1,-2)": [
-            [(x + 1, y - 2) for x, y in ring] for ring in exact
-        ],
+        "translated by (1,-2)": [[(x + 1, y - 2) for x, y in ring] for ring in exact],
         "a itself": [d],
     }
     for words, rings in wrong.items():

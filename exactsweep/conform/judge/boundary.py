@@ -122,26 +122,21 @@ def are_collinear(points: Sequence[Vertex]) -> bool:
 def are_bridges(segments: Sequence[Fit], solid: Sequence[Fit]) -> bool:
     """Decide whether doubled segments connect points of a boundary, without free ends.
 
-    Cost: linear if all ends are corners, else O(s + n) for each other end, of s segments and n
-        corners.
+    Cost: O(s^2) for s segments, and O(n) for each end that is no corner, of n solid segments.
     """
     corners = {*chain.from_iterable(solid)}
-    ends: dict[Point, list[Fit]] = {}
-    for segment in segments:
-        for end in segment:
-            ends.setdefault(end, []).append(segment)
+    ends = {*chain.from_iterable(segments)}
+    near = {p: [segment for segment in segments if is_on_segment(p, *segment)] for p in ends}
     held = {p for p in ends if p in corners or any(is_on_segment(p, *edge) for edge in solid)}
-    for p in ends.keys() - held:
-        ends[p] = [segment for segment in segments if is_on_segment(p, *segment)]
-        if len(ends[p]) < 2:
-            return False
+    if any(len(near[p]) < 2 for p in ends - held):
+        return False
     grown = list(held)
     while grown:
-        for segment in ends[grown.pop()]:
-            fresh = {p for p in ends.keys() - held if is_on_segment(p, *segment)}
+        for segment in near[grown.pop()]:
+            fresh = {p for p in ends - held if is_on_segment(p, *segment)}
             held |= fresh
             grown += fresh
-    return held.issuperset(ends)
+    return held == ends
 
 
 def trace_rings(boundary: RingBoundary) -> list[Loop]:

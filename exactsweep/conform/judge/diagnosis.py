@@ -98,8 +98,9 @@ def diagnose(case: Case, name: str, rings: PointRings, rounding: Fraction) -> tu
     if not found:
         found += spoilt or _name_vertices(exact, rings)
     if not found and len(missing) < len(exact):
-        found.append(f"{len(exact) - len(missing)} of {len(exact)} rings are exact")
+        found.append(f"exact in {len(exact) - len(missing)} of {len(exact)} rings")
     if name == SUM:
+        found = [words.removeprefix("exact for another reference point: ") for words in found]
         found = [_SUMS.get(words.removeprefix("exact for "), words) for words in found]
     return tuple(dict.fromkeys(found))
 

@@ -53,7 +53,8 @@ def grant_rounding(case: Case, name: str, loop: AnsweredLoop, numbers: str | Non
     if loop.has_floats or numbers == "binary64":
         unit = Fraction(ulp(min(_largest(case), _GREATEST)))
         return ULPS * unit + SHARE * measure_smaller(case)
-    if numbers == "rational" or not loop.is_integer or _is_integer(case, name):
+    exact = chain.from_iterable(chain.from_iterable(list_exact_rings(case, name)))
+    if numbers == "rational" or not loop.is_integer or all(c.denominator == 1 for c in exact):
         return Fraction(0)
     return max(_NEAREST, min(Fraction(1), measure_smaller(case)))
 
@@ -72,11 +73,6 @@ def _largest(case: Case) -> Fraction:
     loops = chain.from_iterable(list_exact_rings(case, name) for name in LOOPS if name != SUM)
     rings = (*case.directrix_rings, *case.generatrix_rings, (case.reference,))
     return max(abs(c) for ring in (*rings, *loops) for point in ring for c in point)
-
-
-def _is_integer(case: Case, name: str) -> bool:
-    rings = list_exact_rings(case, name)
-    return all(c.denominator == 1 for ring in rings for point in ring for c in point)
 
 
 def name_arithmetic(exact: PointRings, theirs: PointRings) -> tuple[str, ...]:

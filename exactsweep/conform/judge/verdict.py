@@ -68,15 +68,12 @@ class Verdict(StrEnum):
     @property
     def severity(self) -> int:
         """The index in the order above, 0 for exact."""
-        return _SEVERITY[self]
+        return [*Verdict].index(self)
 
     @property
     def is_judgement(self) -> bool:
         """Whether the program was judged: it is neither undecided nor unsupported."""
         return self not in (Verdict.UNDECIDED, Verdict.UNSUPPORTED)
-
-
-_SEVERITY = {verdict: k for k, verdict in enumerate(Verdict)}
 
 
 @dataclass(frozen=True)

@@ -21,7 +21,7 @@ from exactsweep.conform.run.protocol import (
     Hello,
     ProtocolError,
     read_hello,
-    read_object,
+    read_reply,
     write_case_line,
 )
 from exactsweep.corpus import Case
@@ -95,9 +95,7 @@ class ProcessPeer:
     def _exchange(self, channel: Channel, case: Case) -> Answer:
         channel.send(write_case_line(case, self.hello))
         try:
-            result = read_object(channel.receive(self.terms.seconds))
-            if "id" not in result:
-                raise ProtocolError('the answer has no "id"')
+            result = read_reply(channel.receive(self.terms.seconds))
             if result["id"] != case.id:
                 raise ProtocolError(f"answers {describe_kind(result['id'])}, which was not asked")
             return read_answer(result)

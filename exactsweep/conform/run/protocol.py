@@ -191,6 +191,14 @@ def read_object(line: str) -> dict[str, Any]:
     return found
 
 
+def read_reply(line: str) -> dict[str, Any]:
+    """Read the line of an answer; raise ProtocolError if it is no object with an id."""
+    result = read_object(line)
+    if "id" not in result:
+        raise ProtocolError('the answer has no "id"')
+    return result
+
+
 class UnsupportedError(ExactSweepError):
     """A case that the hello of a program excludes."""
 

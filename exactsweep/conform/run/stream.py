@@ -13,7 +13,7 @@ from typing import BinaryIO
 from exactsweep.conform.judge.verdict import Verdict
 from exactsweep.conform.run.outcome import Outcome, judge_answer
 from exactsweep.conform.run.peer import Answer, read_answer
-from exactsweep.conform.run.protocol import ProtocolError, adapt, read_hello, read_object
+from exactsweep.conform.run.protocol import ProtocolError, adapt, read_hello, read_reply
 from exactsweep.corpus import Case
 from exactsweep.formats.exact_json import describe_kind
 from exactsweep.formats.files import split_lines
@@ -55,9 +55,7 @@ class Stream:
         terms = replace(self.hello, numbers="rational")
         for number, line in enumerate(self._lines, 2):
             try:
-                result = read_object(line)
-                if "id" not in result:
-                    raise ProtocolError('the answer has no "id"')
+                result = read_reply(line)
                 case = self._case(result["id"], find)
                 put = adapt(case, terms)
                 outcome = judge_answer(case, put, read_answer(result), self.hello)
