@@ -9,7 +9,7 @@ from math import isqrt
 from typing import Any
 
 from exactsweep.check.figures import Figure
-from exactsweep.check.standalone import edges, node, spans, winding
+from exactsweep.check.standalone import edges, node, outline, winding
 from exactsweep.check.terms import Constructor, Nat, RationalPoint, TheoremError
 
 KINDS = {
@@ -97,7 +97,7 @@ def _ring_point(
 
     if is_wanted(z):
         return [z]
-    feet = [(_foot(p, q, z), p, q) for p, q in spans(around)]
+    feet = [(_foot(p, q, z), p, q) for p, q in outline(around)]
     least = min(_squared(foot, z) for foot, *_ in feet)
     for (x, y), p, q in feet:
         if _squared((x, y), z) == least:
