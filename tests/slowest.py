@@ -165,6 +165,28 @@ def zigzags(n: int, digits: int) -> Certificate:
     return {**HEAD, "claim": "sum", "shape": shape, "path": path, **answer}
 
 
+def denominators(n: int, digits: int) -> Certificate:
+    """Pieces of many points, each with a denominator of its own."""
+    points = [(k + Fraction(1, 10**digits + 2 * k + 1), Fraction(k * k)) for k in range(n)]
+    one = write(points)
+    d = {"exterior": one}, [one]
+    return claim_no_fit(
+        d, d, write([(-(10**12), -(10**12)), (10**12, -(10**12)), (0, 10**12)]), (), [[0, -1, -1]]
+    )
+
+
+def holes(n: int, digits: int) -> Certificate:
+    """A region of many holes, in a container that is the frame."""
+    ring, far = rectangle(0, 0, 9 * n, 9 * n), 9 * n - 1
+    hole = [write([(3 * k + 1, 1), (3 * k + 2, 1), (3 * k + 1, 1 + digits)]) for k in range(n)]
+    frame = ["0", "0", str(9 * n), str(9 * n)]
+    shapes = {"container": {"exterior": ring}, "part": square(1)[0]}
+    regions = [{"exterior": rectangle(0, 0, far, far), "holes": hole}]
+    proof = {"frame": frame, "outside": [], "part": square(1)[1], "sums": [], "around": [[]] * 4}
+    answer = {"regions": regions, "exact_fits": [], "proof": proof}
+    return {**HEAD, "claim": "inner_fit", **shapes, **answer}
+
+
 def layout(
     parts: list[Any], placements: list[Any], proof: Any = None, faults: Any = None, **more: Any
 ) -> Certificate:
@@ -198,6 +220,20 @@ def faults(n: int, digits: int) -> Certificate:
     return layout([part], placed, None, found)
 
 
+def turned(n: int, digits: int) -> Certificate:
+    """Placements, each at a rotation of its own, of a part whose points have long denominators."""
+    points = [(k + Fraction(1, 10**digits + 2 * k + 1), Fraction(k * k)) for k in range(40)]
+    placed = [{"part": "a", "move": ["500000", str(500 + 2 * k)]} for k in range(n)]
+    found = layout([{"id": "a", "exterior": write(points)}], placed, [[write(points)]])
+    turns = [
+        [str(Fraction(k * k - 1, k * k + 1)), str(Fraction(2 * k, k * k + 1))]
+        for k in range(2, n + 2)
+    ]
+    for entry, turn in zip(placed, turns, strict=True):
+        entry["turn"] = turn
+    return {**found, "turns": turns}
+
+
 def rotations(n: int, digits: int) -> Certificate:
     """Irrational rotations."""
     part = {"id": "a", "exterior": write(polygon(digits + 3))}
@@ -220,8 +256,11 @@ def rounded(n: int, digits: int) -> Certificate:
 
 KINDS: Mapping[str, Callable[[int, int], Certificate]] = {
     kind.__name__: kind
-    for kind in (crowd, strips, corners, slices, islands, fits_in_a_cell, chains, zigzags)
-} | {kind.__name__: kind for kind in (long_numbers, placements, faults, rotations, rounded)}
+    for kind in (crowd, strips, corners, slices, islands, fits_in_a_cell, chains, zigzags, holes)
+} | {
+    kind.__name__: kind
+    for kind in (denominators, long_numbers, placements, faults, turned, rotations, rounded)
+}
 
 
 def fill(kind: str, digits: int, share: float = 1.0) -> Certificate:

@@ -453,7 +453,7 @@ function proveInnerFit(value) {
   const c = object({ ...header, ...keys })(value), { outside, part, around } = c.proof;
   checkMakesUp(outside, [rectangle(c.proof.frame), ...ringsOf(c.container).map(reversed)]);
   checkMakesUp(part, ringsOf(c.part));
-  const box = extents(c.part.exterior);
+  const box = extents(part.flat());
   const [p, q, r, s] = rectangle(c.proof.frame.map((x, i) => x.minus(box[i]).reduced()));
   const planes = [[q, p], [r, q], [s, r], [p, s]];
   const regions = c.regions.map(({ exterior, holes }) => [reversed(exterior), ...holes]);

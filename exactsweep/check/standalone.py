@@ -103,15 +103,18 @@ class Work:
             text = json.dumps(certificate)
         except (TypeError, ValueError, RecursionError) as error:
             raise Refused(f"not JSON: {error}") from None
-        digits = max(map(len, re.findall("[0-9]+", text)), default=0)
-        self.left = max_steps or max(MAX_STEPS, STEPS_PER_BYTE * len(text))
-        self.left /= 1 + max(0, digits - 18) / 10 + digits**2 / 6000
+        self.left, self.price = max_steps or max(MAX_STEPS, STEPS_PER_BYTE * len(text)), 1.0
+        self.measure([10 ** max(map(len, re.findall("[0-9]+", text)), default=0)])
+
+    def measure(self, numbers: Iterable[int]) -> None:
+        """Raise the price of steps for the longest of numbers, as measured."""
+        bits = max(0, max(map(int.bit_length, numbers)) - 60)
+        self.price = max(self.price, 1 + bits / 35 + bits**2 / 65000)
 
     def spend(self, steps: float) -> None:
         """Subtract steps."""
-        self.left -= steps
-        if self.left < 0:
-            raise Refused("too large: exceeds the step limit for its size")
+        self.left -= steps * self.price
+        need(self.left >= 0, "too large: exceeds the step limit for its size")
 
 
 def fields(name: str, item: Any, names: str, optional: str = "") -> list[Any]:
@@ -217,10 +220,12 @@ def add(p: Point, q: Point) -> Point:
     return p[0] * q[2] + q[0] * p[2], p[1] * q[2] + q[1] * p[2], p[2] * q[2]
 
 
-def level(points: Sequence[Point]) -> Ring:
+def level(points: Ring, work: Work) -> Ring:
     """Give points one denominator."""
     unit = lcm(*(w for *_, w in points))
-    return [(x * (unit // w), y * (unit // w), unit) for x, y, w in points]
+    found = [(x * (unit // w), y * (unit // w), unit) for x, y, w in points]
+    work.measure(chain(*found))
+    return found
 
 
 def reflect(pieces: list[Ring]) -> list[Ring]:
@@ -397,8 +402,8 @@ class Sums:
     def __init__(self, name: str, d: list[Ring], h: list[Ring], work: Work, beyond: Any = ()):
         self.work, self.count, self.columns, self.beyond = work, len(d) * len(h), len(h), beyond
         self.name, self.scale = name, scale_of(chain(*d, *h))
-        self.trees = index(d, self.scale), index(h, self.scale)
-        self.pieces, (self.d, self.h) = (d, h), ([from_lowest(e) for e in of] for of in (d, h))
+        self.pieces, self.trees = (d, h), (index(d, self.scale), index(h, self.scale))
+        self.d, self.h = ([from_lowest(e, work) for e in of] for of in (d, h))
         self.get = lru_cache(10**5 // max(map(len, chain(d, h, [()]))) + 1)(self.find)
 
     def find(self, k: int) -> list[Edge]:
@@ -416,9 +421,10 @@ class Sums:
         return clip(sides, edge[0], edge[1])
 
 
-def from_lowest(piece: Ring) -> list[Edge]:
+def from_lowest(piece: Ring, work: Work) -> list[Edge]:
     """Return the edges of a piece from its lowest vertex on, the left one of two."""
-    points = level(piece)
+    points = level(piece, work)
+    work.spend(len(points))
     k = points.index(min(points, key=lambda p: (p[1], p[0])))
     return edges(points[k:] + points[:k])
 
@@ -442,8 +448,9 @@ def clip(sides: Iterable[Any], a: Point, b: Point, closed: bool = False) -> Span
 
     An open one that contains 0 or 1 extends beyond it, to -1 or 2; a closed one does not.
     """
-    (x, y, w), (u, v, _) = (a, b) if a[2] == b[2] else level((a, b))
-    least = 1 - closed
+    (x, y, w), (u, v, z), least = a, b, 1 - closed
+    if w != z:
+        x, y, w, u, v = x * z, y * z, w * z, u * w, v * w
     low, high = ((0, 1), (1, 1)) if closed else ((-1, 1), (2, 1))
     for _, _, (k, m, n) in sides:
         at_a, at_b = k * x + m * y + n * w, k * u + m * v + n * w
@@ -654,7 +661,7 @@ def rotation_error(to: Any, degrees: Rational) -> Rational:
 def move(points: Ring, to: Any, mirrored: bool, by: Point) -> Ring:
     """Mirror, rotate and move a ring."""
     (u, v, z), (c, s, r), found = by, node(*to), list[Point]()
-    for x, y, w in ((x * (-1) ** mirrored, y, w * r) for x, y, w in level(points)):
+    for x, y, w in ((x * (-1) ** mirrored, y, w * r) for x, y, w in points):
         found.append(((c * x - s * y) * z + u * w, (s * x + c * y) * z + v * w, w * z))
     return found[::-1] if mirrored else found
 
@@ -738,7 +745,7 @@ class Layout:
                 rings = self.frame + [points[::-1] for points in rings]
             found = [(rings, 0)]
             if self.valid:
-                found = [([level(e)], 0) for e in solid(name, rings, cut, self.work)]
+                found = [([level(e, self.work)], 0) for e in solid(name, rings, cut, self.work)]
         else:
             is_one = not is_outside or (len(items(name, given)) < 2 and not self.frame)
             is_alone = is_one and cut is exterior is None and holes == []
@@ -750,7 +757,7 @@ class Layout:
                 is_piece = is_convex(piece) if len(piece) > 2 else piece
                 need(is_piece, f"{at}: not convex, counter-clockwise")
                 radius = length(f"{at}, radius", radius)
-                found.append(([level(piece)], -radius if is_outside else radius))
+                found.append(([level(piece, self.work)], -radius if is_outside else radius))
         need(found or is_outside, f"{name}: no pieces")
         return Body(name, found, length(f"{name}, error", error), distance, 1 - is_outside)
 
