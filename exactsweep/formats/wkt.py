@@ -56,52 +56,48 @@ def parse_wkt(text: str, notes: dict[str, None] | None = None) -> list[Candidate
 
 
 class _Reader:
+    kind: str | None
+
     def __init__(self, text: str) -> None:
         self.text = text
-        self.kind: str | None = None
-        self.offset = 0
         srid = _SRID.match(text)
         self.matches = _TOKEN.finditer(text, srid.end() if srid else 0)
-        self._advance()
         self.lines = [0, *(match.end() for match in re.finditer("\n", text))]
-        self.height: Fraction | None = None
+        self.heights: set[Fraction] = set()
         self.opened: list[str] = []
+        self._advance()
 
     def outlines(self) -> Iterator[Candidate]:
-        while True:
+        while self.kind != "end":
             yield from self._geometry(0)
-            if self.kind == "end":
-                return
-            if self.kind != "word":
-                self._refuse(f"{self._show()} after the end of the polygon")
 
     def path(self) -> list[Point]:
         """Read a LINESTRING or a POINT, the only geometry of the text."""
-        self._advance()
-        if self.word.upper() == "Z":
-            self._advance()
-        found = self._list(self._loose_point)
+        self._skip_name()
+        found = self._list(self._point)
         if self.kind != "end":
             self._refuse(f"{self._show()} after the end of the path")
         return found
 
-    def _geometry(self, depth: int) -> Iterator[Candidate]:
-        kind = self.word.upper()
-        if kind not in ("POLYGON", "MULTIPOLYGON", "GEOMETRYCOLLECTION", *_OTHERS):
-            self._refuse(f"expected POLYGON or MULTIPOLYGON, found {self._show()}")
-        if depth > _MAX_DEPTH:
-            self._refuse("nested too deeply")
-        place = self._place()
+    def _skip_name(self) -> None:
         self._advance()
         if self.word.upper() in ("M", "ZM"):
             self._refuse("M coordinates are not supported")
         if self.word.upper() == "Z":
             self._advance()
+
+    def _geometry(self, depth: int) -> Iterator[Candidate]:
+        place, kind = self._place(), self.word.upper()
+        if kind not in ("POLYGON", "MULTIPOLYGON", "GEOMETRYCOLLECTION", *_OTHERS):
+            self._refuse(f"expected POLYGON or MULTIPOLYGON, found {self._show()}")
+        if depth > _MAX_DEPTH:
+            self._refuse("nested too deeply")
+        self._skip_name()
         if self.word.upper() == "EMPTY":
             yield Candidate.refused(f"{self._place()}: the polygon is empty")
             self._advance()
         elif kind in _OTHERS:
-            self._list(self._loose_point)
+            self._list(self._point)
             yield Candidate.refused(f"{place}: {kind} is neither POLYGON nor MULTIPOLYGON")
         elif kind == "POLYGON":
             yield self._polygon()
@@ -120,8 +116,12 @@ class _Reader:
         return found
 
     def _polygon(self) -> Candidate:
-        self.height = None
-        return Candidate.of_rings(self._list(self._ring))
+        place = self._place()
+        self.heights.clear()
+        found = Candidate.of_rings(self._list(self._ring))
+        if len(self.heights) > 1:
+            raise FormatError(f"{place}: Z varies; only planar polygons are supported")
+        return found
 
     def _ring(self) -> tuple[str, Callable[[], Sequence[Point]]]:
         place = self._place()
@@ -130,19 +130,9 @@ class _Reader:
             self.opened.append(place)
         return place, partial(list, ring)
 
-    def _loose_point(self) -> Point:
-        self.height = None
-        return self._point()
-
     def _point(self) -> Point:
         point = Point(self._number(), self._number())
-        offset = self.offset
-        height = self._number() if self.kind == "number" else _ZERO
-        if self.height is None:
-            self.height = height
-        if height != self.height:
-            self.offset = offset
-            self._refuse("Z varies; only planar polygons are supported")
+        self.heights.add(self._number() if self.kind == "number" else _ZERO)
         return point
 
     def _number(self) -> Fraction:
