@@ -17,9 +17,8 @@ from exactsweep.formats.curved.path import (
     draw_circle,
     draw_lines,
     flatten_together,
-    place_points,
 )
-from exactsweep.formats.curved.svg_path import make_elliptic_arc, read_path
+from exactsweep.formats.curved.svg_path import Subpaths, read_path
 from exactsweep.formats.curved.svg_placed import PlacedElement
 from exactsweep.formats.curved.svg_style import Style, find_link, name_kind
 from exactsweep.formats.curved.xml import line, parse_xml
@@ -277,7 +276,7 @@ def _rectangle(shape: PlacedElement, matrix: Affine, reading: Reading) -> list[P
     rx, ry = _read_radii(shape)
     if rx and ry:
         radii = min(rx, width / 2), min(ry, height / 2)
-        return [_round_rectangle((x, y, u, v), radii, matrix)]
+        return [_round_rectangle((x, y, u, v), radii, matrix, reading)]
     corners = [Point(*corner) for corner in ((x, y), (u, y), (u, v), (x, v), (x, y))]
     return [draw_lines(corners, matrix)]
 
@@ -300,28 +299,19 @@ def _read_radii(shape: PlacedElement) -> tuple[Fraction, Fraction]:
 
 
 def _round_rectangle(
-    box: tuple[Fraction, Fraction, Fraction, Fraction],
-    radii: tuple[Fraction, Fraction],
-    matrix: Affine,
+    box: Sequence[Fraction], radii: Sequence[Fraction], matrix: Affine, reading: Reading
 ) -> Path:
+    """Draw a rounded rectangle as path data (SVG 1.1, 9.2)."""
     (x, y, u, v), (rx, ry) = box, radii
-    corners = [
-        (Point(u - rx, y), Point(u, y + ry)),
-        (Point(u, v - ry), Point(u - rx, v)),
-        (Point(x + rx, v), Point(x, v - ry)),
-        (Point(x, y + ry), Point(x + rx, y)),
-    ]
-    found = Path()
-    for ends in corners:
-        placed = place_points(ends, matrix)
-        if not found.points or placed[0] != found.points[-1]:
-            found.points.append(placed[0])
-        arc, forward = make_elliptic_arc(ends, radii, Fraction(0), (False, True), matrix)
-        found.add_curve(arc, placed[1], forward=forward)
-    if found.points[-1] != found.points[0]:
-        found.points.append(found.points[0])
-    found.off = matrix.error([Point(abs(x) + abs(u), abs(y) + abs(v))])
-    return found
+    drawn = Subpaths(matrix, reading)
+    drawn.draw("M", [[u - rx, y]])
+    ends = [(u, y + ry), (u, v - ry), (u - rx, v), (x + rx, v)]
+    ends += [(x, v - ry), (x, y + ry), (x + rx, y), (u - rx, y)]
+    for end, start in zip(ends[::2], ends[1::2], strict=True):
+        drawn.draw("A", [[*radii, *map(Fraction, (0, 0, 1)), *end]])
+        if start != end:
+            drawn.draw("L", [start])
+    return drawn.found[0]
 
 
 def _ellipse(shape: PlacedElement, matrix: Affine, reading: Reading) -> list[Path]:

@@ -42,7 +42,7 @@ def read_path(data: str, matrix: Affine, reading: Reading) -> list[Path]:
     Raises:
         FormatError: not path data, with the character; or too many vertices.
     """
-    drawn = _Subpaths(matrix, reading)
+    drawn = Subpaths(matrix, reading)
     place = len(data) - len(data.lstrip(" \t\r\n\f,"))
     while place < len(data):
         match = _RUN.match(data, place)
@@ -80,7 +80,9 @@ def _refuse(reason: str, place: int) -> NoReturn:
     raise FormatError(f"path data, character {place + 1}: {reason}")
 
 
-class _Subpaths:
+class Subpaths:
+    """Subpaths, to which commands of path data are added."""
+
     def __init__(self, matrix: Affine, reading: Reading) -> None:
         self.matrix, self.reading = matrix, reading
         self.current = self.start = ORIGIN
