@@ -13,7 +13,7 @@ from random import Random
 from typing import Any
 
 import pytest
-from hypothesis import given
+from hypothesis import assume, given
 from hypothesis import strategies as st
 from mpmath import iv, mp
 from rounded import compare_rounded, draw_rounded
@@ -228,3 +228,89 @@ def test_outlines_that_cross_are_filled_by_their_rule() -> None:
     cleaned = parse_regions('<svg><path d="M0 0H4V4H0zM9 9h.1v.1h-.1z"/></svg>', clean="1/2")
     assert [part.region.area for part in cleaned] == [16]
     assert "below --clean" in cleaned.left_out[0]
+
+
+@examples(8)
+@given(
+    st.fractions(1, 50, max_denominator=100),
+    st.fractions(Fraction(1, 20), 1, max_denominator=100),
+    st.lists(st.fractions(-2, 2, max_denominator=10), min_size=4, max_size=4),
+    scales,
+    tolerances,
+)
+def test_an_ellipse_under_any_map_is_simple_and_near(
+    radius: Fraction, ratio: Fraction, matrix: list[Fraction], scale: Fraction, tolerance: str
+) -> None:
+    a, b, c, d = matrix
+    assume(abs(a * d - b * c) > Fraction(1, 20))
+    size = radius * scale
+    rx, ry = (Fraction(to_text(value)) for value in (size, size * ratio))
+    reach = max(Fraction(tolerance) * scale, size / 10**4)
+    shape = f'<ellipse rx="{to_text(rx)}" ry="{to_text(ry)}"'
+    transform = f"matrix({' '.join(map(to_text, matrix))} 0 0)"
+    a, b, c, d = (Fraction(to_text(value)) for value in matrix)
+    parts = parse_polygons(f'<svg>{shape} transform="{transform}"/></svg>', tolerance=reach)
+    (part,) = parts
+    assert not parts.notes
+    assert part.error <= reach
+
+    def curve(t: Fraction) -> tuple[Any, Any]:
+        angle = 2 * iv.pi * to_interval(t)
+        x, y = to_interval(rx) * iv.cos(angle), to_interval(ry) * iv.sin(angle)
+        p, q, r, s = map(to_interval, (a, b, c, d))
+        return p * x + r * y, q * x + s * y
+
+    vertices = part.polygon.vertices
+    assert lie_within(curve, [*vertices, vertices[0]], part.error)
+    area = float(rx * ry * abs(a * d - b * c)) * float(mp.pi)
+    around = 7 * float(max(rx, ry) * (abs(a) + abs(b) + abs(c) + abs(d)))
+    assert abs(area - float(part.polygon.area)) <= around * float(part.error)
+
+
+@examples(8)
+@given(
+    st.integers(2, 5),
+    st.lists(st.fractions(Fraction(3, 5), 1, max_denominator=50), min_size=6, max_size=9),
+    st.booleans(),
+    scales,
+    tolerances,
+)
+def test_a_closed_spline_is_simple_and_near_in_both_directions(
+    degree: int, radii: list[Fraction], backward: bool, scale: Fraction, tolerance: str
+) -> None:
+    """A periodic B-spline around a point, evaluated by de Boor's algorithm in rationals."""
+    reach = max(Fraction(tolerance), Fraction(1, 1000)) * scale
+    corners = []
+    for k, radius in enumerate(radii):
+        angle = 2 * mp.pi * k / len(radii)
+        x, y = (
+            Fraction(float(one)).limit_denominator(1000) for one in (mp.cos(angle), mp.sin(angle))
+        )
+        corners.append(tuple(Fraction(to_text(30 * radius * scale * v)) for v in (x, y)))
+    points = corners + corners[:degree]
+    if backward:
+        points.reverse()
+    tags: list[object] = [0, "SECTION", 2, "ENTITIES", 0, "SPLINE", 8, 0, 71, degree]
+    tags += [tag for k in range(len(points) + degree + 1) for tag in (40, k)]
+    tags += [tag for x, y in points for tag in (10, to_text(x), 20, to_text(y))]
+    tags += [0, "ENDSEC", 0, "EOF"]
+    parts = parse_polygons("".join(f"{tag}\n" for tag in tags), tolerance=reach)
+    (part,) = parts
+    assert not parts.notes
+    assert part.error <= reach
+
+    def curve(t: Fraction) -> tuple[Any, Any]:
+        u = degree + t * len(radii)
+        first = min(int(u), len(points) - 1) - degree
+        row = points[first : first + degree + 1]
+        for step in range(1, degree + 1):
+            shares = [(u - first - k) / (degree + 1 - step) for k in range(step, degree + 1)]
+            row = [
+                tuple(p + s * (q - p) for p, q in zip(one, other, strict=True))
+                for s, (one, other) in zip(shares, pairwise(row), strict=True)
+            ]
+        ((x, y),) = row
+        return to_interval(x), to_interval(y)
+
+    vertices = part.polygon.vertices
+    assert lie_within(curve, [*vertices, vertices[0]], part.error)
