@@ -59,17 +59,8 @@ def use_style() -> AbstractContextManager[None]:
 class Look:
     """The look of one kind of object, in terms of matplotlib.
 
-    Attributes:
-        color: the color of lines, markers and hatching.
-        width: the line width in points.
-        dash: the line style.
-        fill: the color of the interior, or None.
-        hatch: the hatching, or None.
-        marker: the marker at each point, or None.
-        hollow: whether markers are filled with white.
-        order: the drawing order; higher numbers are drawn on top.
-        size: the marker size in points.
-        halo: whether markers have a white rim.
+    `width` and `size` (of markers) are in points. Objects with a higher `order` are drawn on top.
+    Markers may be filled with white (`hollow`) or have a white rim (`halo`).
     """
 
     color: str

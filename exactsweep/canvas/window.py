@@ -16,12 +16,9 @@ _FAR = 100_000
 
 
 class Window(NamedTuple):
-    """A rectangle of the plane, drawn in pixels with Y downward.
+    """A rectangle of the plane, drawn as `width` by `height` pixels with Y downward.
 
-    Attributes:
-        left, bottom, right, top: the rectangle, as Fractions; bottom > top if Y points down in the
-            plane as well.
-        width, height: the size of the picture in pixels.
+    bottom > top if Y points down in the plane as well.
     """
 
     left: Fraction

@@ -52,13 +52,7 @@ def list_filters() -> Iterable[str]:
 
 
 def offer(*sources: Source, files: bool = False) -> Offer:
-    """Make a completion function for names, and optionally for files.
-
-    Example:
-        >>> found = offer(CLASSES)(click.Context(click.Command("")), click.Option(["-c"]), "C")
-        >>> [item.value for item in found]
-        ['CC', 'CM']
-    """
+    """Make a completion function for names, and optionally for files."""
 
     def complete(
         ctx: click.Context, option: click.Parameter, incomplete: str

@@ -64,19 +64,9 @@ def export(
 ) -> None:
     """Write polygons and exact fits; report on standard error what rounding changed.
 
-    Flips the Y axis if the format has another direction than the input; keeps the unit.
-
-    Args:
-        regions: the polygons.
-        fits: the exact fits.
-        target: one of FORMATS.
-        rounding: the rounding, or None for exact output.
-        output: a file, or "-".
-        side_of: returns "outward" for a forbidden region, "inward" for a free one, and "closest"
-            for others.
-
-    Raises:
-        FormatError: the format cannot represent a coordinate, or rounding leaves nothing.
+    Flips the Y axis if the format has another direction than the input; keeps the unit. `side_of`
+    returns "outward" for a forbidden region, "inward" for a free one, and "closest" for others.
+    Raises FormatError if the format cannot represent a coordinate, or rounding leaves nothing.
     """
     said: list[str] = []
     has_error = any(region.error for region in regions)

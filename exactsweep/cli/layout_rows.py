@@ -21,15 +21,8 @@ _FINER, _MOST_FINER = Fraction(1, 100), 2
 class LayoutRow(NamedTuple):
     """A row of the table of several layouts.
 
-    Attributes:
-        name: the file and its sheet.
-        verdict: "valid", the faults, or the error of an unreadable file.
-        valid: whether the layout is valid; None for an unreadable file.
-        placements: the number of placements.
-        worst: the depth of the worst fault, or the minimum distance in a valid layout.
-        notes: notes of the reader.
-        accepted: whether all faults are within the accepted depth.
-        unchecked: rules and shapes that were not judged.
+    For an unreadable file, `verdict` is the error and `valid` is None. `worst` is the depth of the
+    worst fault, or the minimum distance in a valid layout. `unchecked` lists unjudged rules.
     """
 
     name: str

@@ -37,10 +37,7 @@ def checked(read: Callable[[Any], object]) -> Callable[..., object]:
 def gather(name: str, make: Callable[..., object], *options: Decorator) -> Decorator:
     """Make a decorator that adds options to a command and combines their values into one argument.
 
-    Args:
-        name: the name of the argument.
-        make: a function of the values, by name.
-        options: the options in the order of the help, or other such decorators.
+    `make` receives the values by name. `options` may include other such decorators.
     """
     wanted = signature(make).parameters
 

@@ -215,13 +215,9 @@ takes_question = click.option(
 def takes_shapes(
     first: str, second: str, read: Callable[..., object], *options: Decorator
 ) -> Decorator:
-    """Add two polygons, the second of which moves, as `shapes`.
+    """Add two polygons, of which the second moves, as `shapes`.
 
-    Args:
-        first: the metavar of the stationary polygon.
-        second: the metavar of the moving polygon.
-        read: a function of "stays", "moves", "reading" and the values of `options`.
-        options: additional options.
+    `read` is a function of "stays", "moves", "reading" and the values of the additional `options`.
     """
     return gather(
         "shapes",

@@ -33,16 +33,10 @@ def find_parts(paths: Sequence[str], reading: Mapping[str, Any]) -> Listing:
 def read_named(
     paths: Sequence[str], reading: Mapping[str, Any], *, keep: bool = False, whole: bool = False
 ) -> PartList[NamedRegion]:
-    """Read the polygons of files, with unique names; report skipped elements.
+    """Read the polygons of files, folders and patterns; report skipped elements.
 
-    Args:
-        paths: files, folders and patterns.
-        reading: the reading options.
-        keep: whether polygons of a single file keep their names, even if empty.
-        whole: whether a polygon that is not simple is an error, as in a group.
-
-    Raises:
-        FormatError: nothing can be read.
+    Names are unique, unless `keep` is true and there is a single file. With `whole`, polygons that
+    are not simple are errors. Raises FormatError if nothing can be read.
     """
     listing = find_parts(paths, reading)
     candidates = [part.candidate for part in listing.parts]

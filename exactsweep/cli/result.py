@@ -24,12 +24,7 @@ from exactsweep.text.report import approximate
 class Form(NamedTuple):
     """The requested form of a result.
 
-    Attributes:
-        kind: "report", "json", "wkt", "certificate", or "to" for polygons in a format.
-        target: the format of polygons.
-        rounding: the rounding, or None for exact output.
-        output: a file, or "-".
-        everything: whether a report lists all vertices.
+    `kind` is "report", "json", "wkt", "certificate", or "to" for polygons in the format `target`.
     """
 
     kind: str

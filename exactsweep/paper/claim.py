@@ -56,14 +56,9 @@ class Table(NamedTuple):
 class Evidence:
     """The findings of a check.
 
-    Attributes:
-        tried: a description of the tested cases.
-        failure: a counterexample to the corrected statement, or an empty string.
-        cases: counterexamples to the printed statement.
-        tables: measurements.
-        growth: counts over doubling sizes.
-        sampled: the number of random pairs, the minimum over all laws.
-        searched: the number of cases in exhaustive searches.
+    `tried` describes the tested cases, `failure` a counterexample to the corrected statement, and
+    `cases` are counterexamples to the printed one. `sampled` is the minimum number of random pairs
+    per law, `searched` the number of cases in exhaustive searches.
     """
 
     tried: str = ""

@@ -38,13 +38,9 @@ Procedure = Callable[[Chains], Iterable[Any]]
 class Cost:
     """One procedure on one family, with m, n or both doubled.
 
-    Attributes:
-        letter: the procedure as printed.
-        row: the ledger row that states the bound.
-        varied: "m", "n" or "mn".
-        first: the first size for operations and bytes; `timed` is the one for seconds.
-        fixed: the size that is not doubled.
-        limit: the limit on operations, see `Growth`; `slack` is the one on bytes.
+    `letter` is the procedure as printed, `row` the ledger row with the bound, and `varied` is "m",
+    "n" or "mn". Sizes start at `first` for operations and bytes, at `timed` for seconds; `fixed` is
+    the other size. For `limit` on operations and `slack` on bytes see `Growth`.
     """
 
     procedure: str

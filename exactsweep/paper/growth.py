@@ -89,7 +89,7 @@ class Growth:
 
     @property
     def unit(self) -> str:
-        """The unit of the count: the first word of `what`."""
+        """The first word of `what`."""
         return self.what.partition(" ")[0]
 
     @property

@@ -104,17 +104,10 @@ def gather_page_data(
     y_down: bool = False,
     tell: Callable[[str], object] = str,
 ) -> dict[str, Any]:
-    """Collect the data of the page of a Sweep as JSON data.
+    """Collect the data of the page of a Sweep as JSON data; see `make_page` for the arguments.
 
-    Args:
-        s: the Sweep.
-        names: the names of G and D.
-        y_down: whether Y points down.
-        tell: a callback that receives the name of each long step.
-
-    Returns:
-        A dict. Scaled coordinates are flat lists x, y, x, y, ... of floats, for G relative to the
-        anchor. "exact" holds the coordinates as strings, in the same order.
+    Scaled coordinates are flat lists x, y, x, y, ... of floats, for G relative to the anchor.
+    "exact" holds the coordinates as strings, in the same order.
     """
     tell("the loops")
     outer, moved = s.outer.vertices, trace_anchor(s).vertices
@@ -162,7 +155,7 @@ def gather_positions(
     """Collect the data of the page of a no-fit polygon or an inner fit as JSON data.
 
     Stops are the vertices of loops, ends of exact fits on loops, and meetings of two vertices.
-    Raises DrawError if there is no position. See `gather_page_data` for the arguments.
+    Raises DrawError if there is no position.
     """
     shapes = Positions.of(found)
     is_outside = shapes.exterior is not None

@@ -209,7 +209,7 @@ def sub_outer_chains_cross_once(pair: SweepPair) -> Iterator[str]:
 def note_chains_apart(effort: Effort) -> Iterator[Observation]:
     """Show a vertical edge that separates two sub-trajectories, and two sub-outer chains."""
     for chains in list_sub_chains(AT_A_WALL):
-        if all(meetings(*neighbours)[1] for neighbours in pairwise(chains)):
+        if all(meetings(*adjacent)[1] for adjacent in pairwise(chains)):
             yield "all chains meet despite a vertical edge"
     yield Evidence(
         f"For G = {AT_A_WALL.generatrix} and D = {AT_A_WALL.directrix}, which has a vertical "

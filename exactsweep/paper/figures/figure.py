@@ -23,13 +23,9 @@ from exactsweep.sweep import Sweep
 class PaperFigure(NamedTuple):
     """A computed figure of the paper.
 
-    Attributes:
-        facts: the figure's statements, as pairs of a name and a value.
-        laws: triples of a name, a value, and the value by the definition or another method.
-        shapes: points, chains and lists of chains by name, in addition to those of `sweeps`; the
-            name "a_name" is for panel a only.
-        words: computed titles and labels, named like shapes.
-        sweeps: the drawn sweeps, each with the drawn positions of G.
+    `facts` are its statements, as pairs of a name and a value; `laws` are triples of a name, a
+    value, and the value by another method. `shapes` are points, chains and lists of chains, `words`
+    are labels; the name "a_name" is for panel a only. `sweeps` have the drawn positions of G.
     """
 
     facts: Sequence[tuple[str, object]] = ()

@@ -21,14 +21,10 @@ NINTHS = (Fraction(-1, 9), Fraction(0), Fraction(1, 9))
 
 
 class Widths(NamedTuple):
-    """An edge e of the trajectory, a point on it, and the distances of Figure 9.
+    """An edge e of the trajectory, its unit vector, and the distances of Figure 9.
 
-    Attributes:
-        direction: the unit vector of e.
-        at: the point where I(G) touches e from both sides.
-        inside: I(g) with I(G) on the inner side of e; `outside` with I(G) on the outer side.
-        inner, outer: their distances d' and d'' from e.
-        width: the width of G perpendicular to e.
+    I(G) touches e `at` a point from both sides. `inside` and `outside` are the positions of I(g),
+    `inner` and `outer` their distances d' and d'' from e; `width` is that of G perpendicular to e.
     """
 
     sweep: Sweep

@@ -55,10 +55,6 @@ def _find_unit(row: Sequence[Extent], across: float) -> float:
 def lay_out(rows: Sequence[Sequence[Extent]], inches: float) -> tuple[Figure, list[Picture]]:
     """Make a figure of panels without axes, at the largest scale at which all rows fit.
 
-    Args:
-        rows: the frames of the panels, row by row.
-        inches: the width of the figure.
-
     Returns the matplotlib figure and a Picture for each frame; raises DrawError if matplotlib is
     missing.
     """
