@@ -119,4 +119,4 @@ def test_the_page_shows_no_control_characters_and_names_all_questions() -> None:
     for text in (page, write_junit(run)):
         assert not {"\x1b", "\x00"} & {*text}
     assert "\ufffd[31m\ufffdx\ny" in page
-    assert "Answers no fit, inner fit; numbers" in page
+    assert "Answers no-fit polygon, inner fit; numbers" in page

@@ -44,6 +44,7 @@ LOOP_NAMES = {
 NAME = "exact_fits"
 INSIDE = "inner_exact_fits"
 SUM = "minkowski_sum"
+PART_NAMES = {**LOOP_NAMES, NAME: "exact fits", INSIDE: "exact fits inside"}
 FITS_OF = {"trajectory": NAME, "no_fit": NAME, SUM: NAME, "inner_fit": INSIDE}
 """The exact fits that belong to the loops of positions; those of a sum are its slits."""
 

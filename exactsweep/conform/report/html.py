@@ -22,7 +22,7 @@ from exactsweep.canvas import style
 from exactsweep.canvas.svg import write_path
 from exactsweep.canvas.window import Window
 from exactsweep.conform.judge.verdict import AnswerError, Verdict, read_loop
-from exactsweep.conform.judge.witness import FITS_OF, SUM, add, list_exact_rings
+from exactsweep.conform.judge.witness import FITS_OF, PART_NAMES, SUM, add, list_exact_rings
 from exactsweep.conform.report.text import tell_witness
 from exactsweep.conform.report.unit_test import guess_language, write_unit_test
 from exactsweep.conform.run.outcome import Outcome, list_witnesses
@@ -63,6 +63,7 @@ def write_html(run: Run) -> str:
         "root": take_root,
         "number": read_any_length,
         "plain": replace_controls,
+        "part_name": PART_NAMES.get,
         "dump": partial(json.dumps, indent=1),
         "panels": _draw,
         "unit_test": partial(_write_unit_test, run),
@@ -83,9 +84,7 @@ def write_html(run: Run) -> str:
         key=_KEY,
         most_shown=SHOWN,
         answers=[
-            name.replace("_", " ")
-            for name in (*run.hello.loops, *run.hello.questions)
-            if name != "sweep"
+            PART_NAMES[name] for name in (*run.hello.loops, *run.hello.questions) if name != "sweep"
         ],
         failures=failures,
         failed=islice(failed, _MOST_LISTED),
@@ -162,7 +161,7 @@ def draw_panels(outcome: Outcome) -> list[Panel]:
     name = outcome.worst["name"] if outcome.worst else "trajectory"
     scene = _scene(case_from_json(outcome.case), outcome, name)
     whole = _window(scene)
-    drawn = [_panel(scene, whole, name.replace("_", " "))]
+    drawn = [_panel(scene, whole, PART_NAMES[name])]
     near = _around(scene.points("directrix", "exact"))
     if whole.longest > _WORTH_ZOOMING * near.longest:
         drawn.append(_panel(scene, near, f"{_times(whole.longest / near.longest)} larger, at D"))

@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from typing import Any
 
 from exactsweep.conform.judge.verdict import Comparison, PartComparison, Verdict
-from exactsweep.conform.judge.witness import LOOP_NAMES
+from exactsweep.conform.judge.witness import PART_NAMES
 from exactsweep.conform.run.outcome import list_witnesses
 from exactsweep.conform.run.peer import cut
 from exactsweep.conform.run.run import Run
@@ -44,8 +44,9 @@ def describe(comparison: Comparison) -> str:
 
 
 def _part(part: PartComparison) -> list[str]:
-    name = LOOP_NAMES.get(part.name, "exact fits")
-    lines = [f"{name}: {part.verdict}" + (f", {part.reason}" if part.reason else "")]
+    lines = [
+        f"{PART_NAMES[part.name]}: {part.verdict}" + (f", {part.reason}" if part.reason else "")
+    ]
     if part.distance_squared is not None and part.area:
         distance = approximate(take_root(part.distance_squared))
         granted = f", granted {approximate(part.granted)}" if part.granted else ""

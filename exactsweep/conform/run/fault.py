@@ -13,6 +13,7 @@ from collections.abc import Mapping, Sequence
 from typing import Any
 
 from exactsweep.conform.judge.verdict import Verdict
+from exactsweep.conform.judge.witness import PART_NAMES
 from exactsweep.conform.run.complaint import find_error, find_place
 from exactsweep.conform.run.peer import cut
 
@@ -69,8 +70,9 @@ def name_fault(
 def _name_difference(part: Mapping[str, Any]) -> str:
     named = next(iter(part["diagnosis"]), "") or part["kind"] or part["reason"]
     shown = (part[side] and part[side]["classified"] for side in ("unsound", "conservative"))
-    place = part["name"].replace("_", " ")
-    return ", ".join([place, write_cause(named), *(kind.lower() for kind in shown if kind)])
+    return ", ".join(
+        [PART_NAMES[part["name"]], write_cause(named), *(kind.lower() for kind in shown if kind)]
+    )
 
 
 def _forget_values(text: str) -> str:
