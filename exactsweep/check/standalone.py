@@ -257,7 +257,7 @@ def scale_of(points: Iterable[Point]) -> int:
 
 
 def box(points: Sequence[Point], scale: int, reach: Rational = 0) -> tuple[int, ...]:
-    """Return left, -right, bottom, -top of a box, in units, rounded down."""
+    """Return left, -right, bottom, -top of a box, in units, rounded down: it may only grow."""
     at = ((x * scale, y * scale, w) for x, y, w in points)
     ends = zip(*((x // w, -x // w, y // w, -y // w) for x, y, w in at), strict=True)
     return tuple(min(end) - -(-reach * scale // 1) for end in ends)
@@ -279,7 +279,7 @@ def index(lists: Iterable[Sequence[Point]], scale: int) -> Any:
 
 
 def near(work: Work, a: Any, b: Any, c: Any = NOWHERE, touch: int = 0) -> Iterator[Any]:
-    """Yield items of three trees if the sum of their boxes has the origin inside, or touches it."""
+    """Yield items of trees whose boxes add up to one with the origin inside, or if touch, on it."""
     stack = [(a, b, c)] if a and b and c else []
     while stack:
         found = a, b, c = stack.pop()
@@ -324,7 +324,7 @@ def cancel(name: str, pieces: list[Ring], rings: list[Ring]) -> None:
 
 
 def apart(one: list[Edge], other: list[Edge]) -> bool:
-    """Return whether an edge of one of two pieces has the other on its right."""
+    """Return whether an edge of one of two pieces has no point of the other on its left."""
     lines = [(line, b) for a, b in ((one, other), (other, one)) for *_, line in a]
     return any(all(side(line, p) <= 0 for p, *_ in b) for line, b in lines)
 
@@ -397,7 +397,10 @@ def fits(name: str, item: Any) -> list[Known]:
 
 
 class Sums:
-    """The interiors of D_i + H_j, numbered i n + j for n pieces H_j, and then half-planes."""
+    """The interiors of D_i + H_j, numbered i n + j for n pieces H_j, and then half-planes.
+
+    `get`, which is `find` with a cache, returns the sides of one.
+    """
 
     def __init__(self, name: str, d: list[Ring], h: list[Ring], work: Work, beyond: Any = ()):
         self.work, self.count, self.columns, self.beyond = work, len(d) * len(h), len(h), beyond
@@ -481,7 +484,7 @@ def covers(spans: Iterable[Span | None]) -> bool:
     return reach >= (1, True)
 
 
-def boundary(sums: Sums, known: list[Known], entries: list[Any], wanted: int = 1) -> None:
+def boundary(sums: Sums, known: list[Known], listed: Any, wanted: int = 1, *around: Any) -> None:
     """Prove (a) to (e) of the lemma."""
     work, ends = sums.work, [[e.start, e.end] for e in known]
     at = index(reflect(ends), sums.scale)
@@ -496,18 +499,18 @@ def boundary(sums: Sums, known: list[Known], entries: list[Any], wanted: int = 1
     for k, i, j in near(work, at, *sums.trees):
         is_clear, edge = sums.clip(i * sums.columns + j, known[k]) is None, known[k]
         need(is_clear, f"{edge.name}: inside the sum of pieces {i} and {j}", edge.start)
-    cover_sides(sums, known, entries)
+    cover_sides(sums, known, items(sums.name, listed), around)
     d, h = sums.pieces
     inner = [*map(inner_point, h)] if d and len(d[0]) == 2 else groups(h, work)
     wind(sums.name, known, (add(p, q) for p in groups(d, work) for q in inner), wanted, work)
 
 
-def cover_sides(sums: Sums, known: list[Known], entries: list[Any]) -> None:
+def cover_sides(sums: Sums, known: list[Known], listed: list[Any], around: Iterable[Any]) -> None:
     """Prove (b) and (c)."""
     name, along = sums.name, defaultdict[Any, list[Span | None]](list)
-    for n, entry in enumerate(items(name, entries)):
-        first = [*items(f"{name}[{n}]", entry), None][0]
-        integer(f"{name}[{n}]", first, 0, sums.count + len(sums.beyond))
+    for n, entry in enumerate(listed):
+        integer(f"{name}[{n}]", [*items(f"{name}[{n}]", entry), None][0], 0, sums.count)
+    entries = listed + [[sums.count + n, found] for n, found in enumerate(around)]
     for n, (k, *chains) in enumerate(entries):
         at, sides = f"{name}[{n}]", sums.get(k)
         for one, found in zip(sides, items(at, chains, len(sides)), strict=True):
@@ -519,11 +522,11 @@ def cover_sides(sums: Sums, known: list[Known], entries: list[Any]) -> None:
                 edge, (x, y, _) = known[-1 - m], one[2]
                 sums.work.spend(20)
                 spans.append(clip_on(edge, *one[:2]))
-                way = edge.line[0] * x + edge.line[1] * y
-                is_parallel = edge.line[0] * y == edge.line[1] * x
-                lefts = (True, False) if edge.start == edge.end else (way > 0,) * is_parallel
-                for left in lefts:
-                    along[-1 - m, left].append(clip_on(one, edge.start, edge.end))
+                is_point, (a, b, _) = edge.start == edge.end, edge.line
+                is_parallel, is_left = a * y == b * x, a * x + b * y > 0
+                for left in (True, False):
+                    if is_point or (is_parallel and left is is_left):
+                        along[-1 - m, left].append(clip_on(one, edge.start, edge.end))
             need(covers(spans), f"{at}: a side of it is not covered", one[0])
     for n, edge in enumerate(known):
         for left in (True,) if edge.loop else (True, False):
@@ -532,7 +535,7 @@ def cover_sides(sums: Sums, known: list[Known], entries: list[Any]) -> None:
 
 
 def wind(name: str, known: list[Known], points: Iterable[Point], wanted: int, work: Work) -> None:
-    """Require a winding number of all loops at points."""
+    """Require a winding number of loops at points."""
     around = [edge[:3] for edge in known if edge.loop]
     for z in points:
         work.spend(len(around) / 2)
@@ -601,9 +604,8 @@ def inner_fit(c: Any, work: Work) -> str:
     for edge, (*_, line) in product(known, within):
         is_within = side(line, edge.start) >= 0 <= side(line, edge.end)
         need(is_within, f"{edge.name}: the part leaves the frame", edge.start)
-    more = [[len(d) * len(h) + n, e] for n, e in enumerate(items("around", around, 4))]
     sums = Sums("sums", d, h, work, beyond)
-    boundary(sums, known, items("sums", listed) + more, 0)
+    boundary(sums, known, listed, 0, *items("around", around, 4))
     return f"inner fit of {len(known)} edges and exact fits in {len(regions)} regions"
 
 

@@ -81,6 +81,15 @@ CONDITIONS = {
         change("proof", "sums", 0, 0, to=99),
         "not an integer from 0 to",
     ),
+    "a half-plane among the sums": (
+        "inside",
+        lambda c: put(
+            c,
+            ("proof", "sums"),
+            [*c["proof"]["sums"], [len(c["proof"]["outside"]) * len(c["proof"]["part"]), []]],
+        ),
+        "not an integer from 0 to",
+    ),
     "an entry without a number": ("cave", change("proof", "sums", 0, to=[]), "not an integer"),
     "not a chain": ("cave", change("proof", "sums", 0, 1, to="0"), "sums[0]: not a list"),
     "too few chains": ("cave", drop(("proof", "sums", 0, 1)), "sums[0]: not a list of"),
