@@ -1,9 +1,9 @@
 """Output of sweeps and fits as a report, JSON, WKT, a certificate or polygons."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from fractions import Fraction
 from pathlib import PurePath
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import click
 
@@ -14,8 +14,9 @@ from exactsweep.cli.output import measure_columns, write, write_readable
 from exactsweep.cli.pair import coordinates_of_files, errors_of_files, name_files
 from exactsweep.cli.parts import print_notes
 from exactsweep.cli.working import working
-from exactsweep.formats import FORMATS, FormatError, NamedRegion
+from exactsweep.formats import FORMATS, FormatError, NamedRegion, format_polygons
 from exactsweep.formats.rounding import Rounding, Side
+from exactsweep.numbers.number import Fit
 from exactsweep.text import report as reports
 from exactsweep.text import results
 from exactsweep.text.report import approximate
@@ -83,7 +84,6 @@ class _Writers(NamedTuple):
     """Functions that write a kind of result, and the safe side for rounding a region."""
 
     to_json: Callable[..., str]
-    to_wkt: Callable[[Any], str]
     to_regions: Callable[..., list[NamedRegion]]
     report: Callable[..., str]
     side_of: Callable[[NamedRegion], Side]
@@ -96,21 +96,18 @@ def _find_side(region: NamedRegion) -> Side:
 _WRITERS: dict[type, _Writers] = {
     Sweep: _Writers(
         results.sweep_to_json,
-        results.sweep_to_wkt,
         results.sweep_to_regions,
         reports.report,
         _find_side,
     ),
     NoFitPolygon: _Writers(
         results.no_fit_to_json,
-        results.no_fit_to_wkt,
         results.no_fit_to_regions,
         reports.report_no_fit,
         lambda region: "outward",
     ),
     InnerFit: _Writers(
         results.regions_to_json,
-        results.regions_to_wkt,
         results.name_regions,
         reports.report_regions,
         lambda region: "inward",
@@ -127,6 +124,14 @@ def describe_error(error: Fraction) -> str:
     return f"note: curves are flattened; results are exact except within {about} of a boundary\n"
 
 
+def write_wkt(regions: Sequence[NamedRegion], fits: Sequence[Fit] = ()) -> str:
+    """Write polygons and exact fits as exact WKT, in the coordinates of the input."""
+    try:
+        return format_polygons(regions, "wkt", fits) if regions or fits else "POLYGON EMPTY\n"
+    except FormatError as error:
+        raise FormatError(f"{error}; use --json, or --round") from None
+
+
 def write_result(result: Sweep | NoFitPolygon | NoFitUnion | InnerFit, form: Form) -> None:
     """Write a result in the requested form."""
     columns, writers = measure_columns(form.output), _WRITERS[type(result)]
@@ -136,7 +141,7 @@ def write_result(result: Sweep | NoFitPolygon | NoFitUnion | InnerFit, form: For
     bound = stays + moves
     with working("computing"):
         match form.kind:
-            case "to":
+            case "to" | "wkt":
                 fits = () if isinstance(result, Sweep) else result.exact_fits
                 regions = writers.to_regions(result, stays, moves)
             case "json":
@@ -145,16 +150,13 @@ def write_result(result: Sweep | NoFitPolygon | NoFitUnion | InnerFit, form: For
                 text = results.certificate_to_json(result)
                 if bound:
                     print_notes(["the certificate is about the flattened curves"])
-            case "wkt":
-                try:
-                    text = writers.to_wkt(result)
-                except FormatError as error:
-                    raise FormatError(f"{error}; use --json, or --round") from None
             case _:
                 files = name_files()
                 text = writers.report(result, columns, everything=form.everything, files=files)
                 text += describe_error(bound)
-    if form.kind == "to":
+    if form.kind == "wkt":
+        write_readable(write_wkt(regions, fits), form.output)
+    elif form.kind == "to":
         if not regions and not fits:
             raise FormatError("the part does not fit; --json and --wkt write an empty answer")
         export(regions, fits, form.target, form.rounding, form.output, writers.side_of)

@@ -16,6 +16,7 @@ from exactsweep.cli.pair import (
     takes_reading,
 )
 from exactsweep.cli.parts import report_error, report_skipped
+from exactsweep.cli.result import write_wkt
 from exactsweep.cli.working import working
 from exactsweep.formats import FormatError, NamedRegion, read_text, show_path
 from exactsweep.formats.candidate import Candidate
@@ -161,9 +162,6 @@ def sum_command(
     elif json:
         write_readable(pairs.sum_to_json(first, second, found), output)
     elif wkt:
-        try:
-            write_readable(pairs.sum_to_wkt(found), output)
-        except FormatError as error:
-            raise FormatError(f"{error}; use --json, or --round") from None
+        write_readable(write_wkt([NamedRegion(found, "sum")]), output)
     else:
         write(pairs.report_sum(first, second, found, measure_columns(output)), output)

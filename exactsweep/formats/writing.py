@@ -91,13 +91,7 @@ def _json(
 
 
 def _wkt(regions: Sequence[NamedRegion], fits: Sequence[Fit], unit: Fraction | None) -> str:
-    polygons = (write_wkt_polygon(_name_rings(k, region)) for k, region in enumerate(regions))
-    return "".join(polygons) + write_wkt_fits(fits)
-
-
-def write_wkt_fits(fits: Sequence[Fit]) -> str:
-    """Write exact fits as WKT, one LINESTRING or POINT per line."""
-    lines = []
+    lines = [write_wkt_polygon(_name_rings(k, region)) for k, region in enumerate(regions)]
     for k, fit in enumerate(fits):
         ends = list(dict.fromkeys(fit))
         kind = "LINESTRING" if len(ends) > 1 else "POINT"

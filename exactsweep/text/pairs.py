@@ -1,4 +1,4 @@
-"""Minkowski sums and overlaps of two shapes, as reports, JSON and WKT."""
+"""Minkowski sums and overlaps of two shapes, as reports and JSON."""
 
 from __future__ import annotations
 
@@ -8,7 +8,6 @@ from typing import NamedTuple
 
 from exactsweep.evidence.overlap import Overlap
 from exactsweep.formats.exact_json import write_json
-from exactsweep.formats.writing import write_wkt_polygon
 from exactsweep.geometry.polyline import Polyline
 from exactsweep.geometry.region import AnyPolygon, Region
 from exactsweep.numbers.digits import abridge
@@ -37,12 +36,6 @@ def sum_to_json(a: AnyPolygon, b: AnyPolygon | Polyline, found: Region) -> str:
             "area": write_json(found.area),
         }
     )
-
-
-def sum_to_wkt(found: Region) -> str:
-    """Write a Minkowski sum as a WKT POLYGON; raise FormatError for numbers such as 1/3."""
-    rings = {"exterior": found.exterior.vertices}
-    return write_wkt_polygon(rings | {f"hole {k}": h.vertices for k, h in enumerate(found.holes)})
 
 
 def report_sum(

@@ -1,4 +1,4 @@
-"""Results as exact JSON with one name per line, and as WKT."""
+"""Results as exact JSON with one name per line, and as named regions."""
 
 from __future__ import annotations
 
@@ -14,7 +14,6 @@ from exactsweep.evidence.steps import Step, explain
 from exactsweep.evidence.sweep import SweepAnswer
 from exactsweep.evidence.undercut import Undercut
 from exactsweep.formats.candidate import NamedRegion
-from exactsweep.formats.writing import write_wkt_fits, write_wkt_polygon
 from exactsweep.geometry.direction import Vector
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.geometry.region import AnyPolygon, Region
@@ -224,34 +223,3 @@ def name_regions(
     """Name regions of positions: "region 0" and so on."""
     regions = enumerate(f.regions)
     return [NamedRegion(region, f"region {k}", None, stays + moves) for k, region in regions]
-
-
-def sweep_to_wkt(sweep: SweepAnswer) -> str:
-    """Write the loops of a sweep as WKT; raises FormatError for numbers such as 1/3."""
-    loops = {"trajectory": sweep.trajectory, "inner loop": sweep.inner, "outer loop": sweep.outer}
-    loops |= {f"unswept hole {k}": loop for k, loop in enumerate(sweep.unswept)}
-    return "".join(write_wkt_polygon({name: loop.vertices}) for name, loop in loops.items())
-
-
-def no_fit_to_wkt(n: NoFitAnswer) -> str:
-    """Write a no-fit polygon as WKT: a POLYGON, then a LINESTRING or POINT per exact fit."""
-    return _area_to_wkt("", n.exterior, n.holes) + write_wkt_fits(n.exact_fits)
-
-
-def regions_to_wkt(f: RegionAnswer) -> str:
-    """Write regions of positions as WKT: POLYGONs, then a LINESTRING or POINT per exact fit.
-
-    It is "POLYGON EMPTY" if the part does not fit.
-    """
-    lines = [
-        _area_to_wkt(f"region {k}, ", region.exterior, region.holes)
-        for k, region in enumerate(f.regions)
-    ]
-    return "".join(lines) + write_wkt_fits(f.exact_fits) or "POLYGON EMPTY\n"
-
-
-def _area_to_wkt(prefix: str, exterior: Polygon, holes: Iterable[Polygon]) -> str:
-    rings = {f"{prefix}exterior": exterior.vertices}
-    return write_wkt_polygon(
-        rings | {f"{prefix}hole {k}": hole.vertices for k, hole in enumerate(holes)}
-    )
