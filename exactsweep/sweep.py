@@ -40,7 +40,7 @@ def sweep(
         generatrix: G, a Polygon, a Region or the vertices of a polygon.
         directrix: D, likewise.
         direction: a pair of numbers, a shared direction of monotonicity; by default the choice of
-            `choose_direction`. The loops do not depend on it.
+            `find_shared_direction`. The loops do not depend on it.
         reference: the point of G whose path is the trajectory, in the coordinates of G.
 
     Returns:

@@ -8,7 +8,7 @@ from math import ceil, log2
 from exactsweep.formats.error import FormatError
 from exactsweep.numbers.digits import abridge, format_fraction, write_int
 from exactsweep.numbers.error import NumberError, quote
-from exactsweep.numbers.number import Point, make_points, to_fraction
+from exactsweep.numbers.number import Point, to_fraction
 
 # Possessive, so that a long number with a letter at its end is not tried again for each digit.
 DECIMAL = r"[+-]?(?:[0-9]++\.?+[0-9]*+|\.[0-9]++)(?:[eE][+-]?[0-9]++)?+"
@@ -51,7 +51,7 @@ def read_points(text: str) -> list[Point]:
     numbers = read_decimals(text)
     if len(numbers) % 2:
         raise FormatError("points: an odd number of coordinates")
-    return make_points(numbers[::2], numbers[1::2])
+    return [*map(Point, numbers[::2], numbers[1::2])]
 
 
 def count_decimals(text: str) -> int:

@@ -21,7 +21,7 @@ from exactsweep.geometry.distance import measure_to_edge
 from exactsweep.geometry.near import find_near
 from exactsweep.geometry.reading import to_lattice
 from exactsweep.geometry.vectors import angle_key, compare_angles, minus, orientation
-from exactsweep.numbers.number import Edge, Point, Rational, Vertex, divide_exactly
+from exactsweep.numbers.number import Edge, Point, Rational, Vertex
 
 MAX_PAIRS = 5_000_000
 """Maximum number of pairs of near edges; each cut of an edge counts as 20."""
@@ -259,7 +259,7 @@ def _measure(inside: Sequence[Edge], boundary: Sequence[Edge]) -> Fraction:
     most = Fraction(0)
     for a, b in inside:
         x, y = minus(b, a)
-        near = min(divide_exactly(*measure_to_edge(a, edge)) for edge in boundary)
+        near = min(Fraction(*measure_to_edge(a, edge)) for edge in boundary)
         # The square of a sum is at most twice the sum of the squares.
         most = max(most, 2 * (near + x * x + y * y))
     return most

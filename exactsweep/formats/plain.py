@@ -10,7 +10,7 @@ from functools import partial
 from exactsweep.formats.candidate import Candidate
 from exactsweep.formats.decimals import read_decimals, read_points
 from exactsweep.formats.error import FormatError
-from exactsweep.numbers.number import make_points
+from exactsweep.numbers.number import Point
 
 _PLAIN = re.compile(r"[-+.,;0-9eE\s()\[\]{}]++")
 _TO_LISTS = str.maketrans("(){};", "[][],")
@@ -84,5 +84,5 @@ def _read_counted(numbers: Sequence[Fraction]) -> Iterator[Candidate]:
         k = first + 2 * int(size)
         if size.denominator != 1 or not first < k <= len(numbers):
             raise FormatError("neither one pair of numbers per line, nor a count and as many pairs")
-        points = make_points(numbers[first:k:2], numbers[first + 1 : k : 2])
+        points = [*map(Point, numbers[first:k:2], numbers[first + 1 : k : 2])]
         yield Candidate("", points.copy)

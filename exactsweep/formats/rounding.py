@@ -36,7 +36,7 @@ from exactsweep.geometry.polygon import Polygon
 from exactsweep.geometry.region import Region, share_lattice
 from exactsweep.geometry.vectors import cross, find_hull, minus, orientation
 from exactsweep.numbers.error import quote, tells_arguments
-from exactsweep.numbers.number import Edge, Fit, Point, Rational, Vertex, divide_exactly
+from exactsweep.numbers.number import Edge, Fit, Point, Rational, Vertex
 
 Side = Literal["closest", "outward", "inward"]
 # How far, in cells, to search for a grid point to replace the vertex of a right turn.
@@ -324,4 +324,4 @@ def _distance(
 
 
 def _measure(point: Point, edge: Edge) -> Fraction:
-    return divide_exactly(*measure_to_edge(point, edge))
+    return Fraction(*measure_to_edge(point, edge))

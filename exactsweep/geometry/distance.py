@@ -20,7 +20,7 @@ from typing import NamedTuple
 from exactsweep.geometry.edges import Rings, is_inside, touch
 from exactsweep.geometry.region import Region, Vertices, share_lattice, to_region
 from exactsweep.numbers.error import tells_arguments
-from exactsweep.numbers.number import Edge, Point, Rational, Vertex, divide_exactly
+from exactsweep.numbers.number import Edge, Point, Rational, Vertex
 
 _EdgeBox = tuple[Rational, Rational, Rational, Rational]
 _NearestRatio = tuple[Rational, Rational]
@@ -125,7 +125,7 @@ def find_nearest(
     if nearest is None:
         return None
     assert best is not None
-    return SquaredDistance(divide_exactly(*best), find_nearest_ends(*nearest))
+    return SquaredDistance(Fraction(*best), find_nearest_ends(*nearest))
 
 
 def _find_vertex_inside(first: EdgeTree, second: EdgeTree) -> Point | None:
@@ -163,7 +163,7 @@ def _find_common_point(edge: Edge, other: Edge) -> Point | None:
         of_a = (qx - px) * (ay - py) - (qy - py) * (ax - px)
         of_b = (qx - px) * (by - py) - (qy - py) * (bx - px)
         if of_a != of_b:
-            along = divide_exactly(of_a, of_a - of_b)
+            along = Fraction(of_a, of_a - of_b)
             return Point(ax + along * (bx - ax), ay + along * (by - ay))
         # The segments run along each other.
         shared = [max(min(a, b), min(p, q))]
@@ -214,7 +214,7 @@ def find_foot(point: Vertex, edge: Edge) -> Point:
     (px, py), ((ax, ay), (bx, by)) = point, edge
     dx, dy = bx - ax, by - ay
     length = dx * dx + dy * dy
-    along = divide_exactly((px - ax) * dx + (py - ay) * dy, length) if length else Fraction(0)
+    along = Fraction((px - ax) * dx + (py - ay) * dy, length) if length else Fraction(0)
     along = min(max(along, Fraction(0)), Fraction(1))
     return Point(ax + along * dx, ay + along * dy)
 

@@ -8,11 +8,11 @@ without square roots, and the loops do not depend on the choice of u.
 from __future__ import annotations
 
 from collections.abc import Sequence
+from fractions import Fraction
 from typing import Literal, NamedTuple
 
 from exactsweep.geometry.direction import (
     X_AXIS,
-    Y_AXIS,
     DirectionError,
     Vector,
     find_monotone_directions,
@@ -24,9 +24,6 @@ from exactsweep.numbers.number import (
     ORIGIN,
     Point,
     Vertex,
-    divide_all,
-    divide_exactly,
-    make_points,
     ratio,
 )
 from exactsweep.words import write_degrees, write_vector
@@ -34,44 +31,17 @@ from exactsweep.words import write_degrees, write_vector
 Kind = Literal["CC", "CM", "MM", "SS"]
 """The classes of pairs in the paper, and "SS" for polygons of any shape."""
 
-# The smallest directions except the X axis, in the order of `Directions.simplest`. Most pairs with
-# a shared direction share one of these, and then no others need be found.
-_SMALL: tuple[Vector, ...] = (Y_AXIS, (1, -1), (1, 1), (1, -2), (1, 2), (2, -1), (2, 1))
-
-
-def choose_direction(generatrix: Polygon, directrix: Polygon) -> Vector:
-    """Choose a direction in which both polygons are monotone.
-
-    The choice is the X axis if possible, else a strict direction with small components, else any
-    shared direction. Raises DirectionError, with the directions of each polygon, if there is none.
-    Cost: O(m + n) for the X axis or a small direction, else O((m + n) log(m + n)).
-    """
-    found = find_shared_direction(generatrix, directrix)
-    if found is None:
-        of_generatrix, of_directrix = map(find_monotone_directions, (generatrix, directrix))
-        raise DirectionError(
-            "the polygons share no direction of monotonicity: directions of "
-            f"the generatrix: {of_generatrix}; of the directrix: {of_directrix}"
-        )
-    return found
-
 
 def find_shared_direction(generatrix: Polygon, directrix: Polygon) -> Vector | None:
-    """Choose a direction as `choose_direction` does, but return None if there is none."""
+    """Choose a direction in which both polygons are monotone; None if there is none.
+
+    The choice is the X axis if possible, else a strict direction with small components, else any
+    shared direction. Cost: O(m + n) for the X axis, else O((m + n) log(m + n)).
+    """
     if generatrix.is_x_monotone and directrix.is_x_monotone:
         return X_AXIS
-    for polygon in (generatrix, directrix):
-        if polygon._directions is not None and not polygon._directions:
-            return None
-    for direction in _SMALL:
-        if is_monotone(generatrix, direction, strict=True) and is_monotone(
-            directrix, direction, strict=True
-        ):
-            return direction
-    of_both = [find_monotone_directions(polygon) for polygon in (generatrix, directrix)]
-    if not all(of_both):
-        return None
-    shared = of_both[0] & of_both[1]
+    one, other = (find_monotone_directions(polygon) for polygon in (generatrix, directrix))
+    shared = one & other
     return shared.simplest() if shared else None
 
 
@@ -106,28 +76,14 @@ class Frame(NamedTuple):
     def enter_point(self, point: Point, shift: Point = ORIGIN) -> Vertex:
         """Convert a point minus a vector to the frame; to ints if it is on the lattice."""
         (p, q), scale = self.direction, self.scale
-        (x, b), (y, d) = (
-            c.as_integer_ratio() for c in (point if shift == ORIGIN else minus(point, shift))
-        )
-        x, y = x * d * scale, y * b * scale
-        return ratio(p * x + q * y, b * d), ratio(p * y - q * x, b * d)
+        x, y = point if shift == ORIGIN else minus(point, shift)
+        return ratio((p * x + q * y) * scale, 1), ratio((p * y - q * x) * scale, 1)
 
     def leave(self, points: Sequence[Vertex], shift: Point = ORIGIN) -> list[Point]:
         """Convert points of the frame to the plane, moved by a vector."""
         p, q = self.direction
         scale = self.scale * (p * p + q * q)
-        if (p, q) == X_AXIS:
-            xs, ys = (divide_all(column, scale) for column in zip(*points, strict=True))
-        else:
-            xs, ys = [], []
-            for x, y in points:
-                unit = scale
-                if type(x) is not int or type(y) is not int:
-                    (x, b), (y, d) = x.as_integer_ratio(), y.as_integer_ratio()
-                    x, y, unit = x * d, y * b, scale * b * d
-                xs.append(divide_exactly(p * x - q * y, unit))
-                ys.append(divide_exactly(q * x + p * y, unit))
-        if shift != ORIGIN:
-            dx, dy = shift
-            xs, ys = [x + dx for x in xs], [y + dy for y in ys]
-        return make_points(xs, ys)
+        if self.direction != X_AXIS:
+            points = [(p * x - q * y, q * x + p * y) for x, y in points]
+        found = [Point(Fraction(x, scale), Fraction(y, scale)) for x, y in points]
+        return found if shift == ORIGIN else [Point(x + shift.x, y + shift.y) for x, y in found]

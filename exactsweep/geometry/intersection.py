@@ -16,7 +16,7 @@ from typing import NamedTuple
 from exactsweep.geometry.edges import EdgeIndex, Rings
 from exactsweep.geometry.vectors import cross, minus
 from exactsweep.numbers.addition import add_up
-from exactsweep.numbers.number import Edge, Point, Rational, Vertex, divide_exactly
+from exactsweep.numbers.number import Edge, Point, Rational, Vertex
 
 
 class _Cuts(NamedTuple):
@@ -100,7 +100,7 @@ def _find_pieces(shape: EdgeIndex, other: EdgeIndex, *, keeps_shared: bool) -> I
             if shared:
                 keeps = keeps_shared and shared[0]
             else:
-                x, y = _find_point(p, q, divide_exactly(start + end, 2))
+                x, y = _find_point(p, q, Fraction(start + end, 2))
                 keeps = other.contains(x, y, 1)
             if keeps:
                 yield _find_point(p, q, start), _find_point(p, q, end)
@@ -114,9 +114,7 @@ def _cut(p: Vertex, q: Vertex, a: Vertex, b: Vertex, cuts: _Cuts) -> None:
         return
     if of_a == of_b == 0:
         size = measure_square(d)
-        start, end = (
-            divide_exactly((z[0] - p[0]) * d[0] + (z[1] - p[1]) * d[1], size) for z in (a, b)
-        )
+        start, end = (Fraction((z[0] - p[0]) * d[0] + (z[1] - p[1]) * d[1], size) for z in (a, b))
         low, high = max(min(start, end), Fraction(0)), min(max(start, end), Fraction(1))
         if low <= high:
             cuts.places.update((low, high))
@@ -126,6 +124,6 @@ def _cut(p: Vertex, q: Vertex, a: Vertex, b: Vertex, cuts: _Cuts) -> None:
     e = minus(b, a)
     turn = cross(d, e)
     n = cross(minus(a, p), e)
-    at = divide_exactly(n, turn) if turn > 0 else divide_exactly(-n, -turn)
+    at = Fraction(n, turn)
     if 0 <= at <= 1:
         cuts.places.add(at)

@@ -24,9 +24,6 @@ from exactsweep.numbers.number import (
     Area,
     Point,
     Vertex,
-    divide_all,
-    divide_exactly,
-    make_points,
 )
 
 if TYPE_CHECKING:
@@ -108,8 +105,7 @@ class Polygon(PointSet):
         """Tuple of Point: counter-clockwise, only corners, least first, not closed."""
         if self._vertices is None:
             scale, points = self.lattice()
-            xs, ys = (divide_all(column, scale) for column in zip(*points, strict=True))
-            self._vertices = tuple(make_points(xs, ys))
+            self._vertices = tuple(Point(Fraction(x, scale), Fraction(y, scale)) for x, y in points)
         return self._vertices
 
     @property
@@ -177,7 +173,7 @@ class Polygon(PointSet):
     def area(self) -> Fraction:
         """The area, a positive Fraction."""
         scale, points = self._scaled()
-        return Area(divide_exactly(find_doubled_area(points), 2 * scale * scale))
+        return Area(Fraction(find_doubled_area(points), 2 * scale * scale))
 
     @property
     def is_convex(self) -> bool:

@@ -10,7 +10,7 @@ from exactsweep.geometry.canonical import PolygonError
 from exactsweep.geometry.interface import GeoJson, make_line
 from exactsweep.geometry.reading import drop_heights, has_heights, read_vertices
 from exactsweep.numbers.digits import format_fraction, write_int
-from exactsweep.numbers.number import Point, divide_exactly
+from exactsweep.numbers.number import Point
 from exactsweep.words import write_pair
 
 _KINDS = ("Point", "LineString", "LinearRing")
@@ -51,7 +51,7 @@ class Polyline:
             found, closed = list(points.points), closed or points.closed
         else:
             scale, read = read_vertices(_read_path(points))
-            found = [Point(divide_exactly(x, scale), divide_exactly(y, scale)) for x, y in read]
+            found = [Point(Fraction(x, scale), Fraction(y, scale)) for x, y in read]
         found = [point for point, _ in groupby(found)]
         if not found:
             raise PolygonError("a path needs at least one point")

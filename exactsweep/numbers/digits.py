@@ -1,9 +1,7 @@
-"""Numbers as texts: the grammar of numbers, and ints of any length in less than quadratic time.
+"""Numbers as texts: their grammar, and ints of any length.
 
-Module `limits` defines the limits on untrusted input. Python's own conversions of ints take
-quadratic time, and reject more than 4300 digits. This module splits a long number n = h b + l and
-converts each half separately, where b is the square of the base of the halves: powers of two as
-decimals, which multiply in nearly linear time, or powers of ten as ints (Karatsuba).
+Module `limits` defines the limits on untrusted input. Python's own conversions of ints reject more
+than 4300 digits; those of Decimals do not.
 """
 
 import re
@@ -21,23 +19,18 @@ from decimal import (
 )
 from fractions import Fraction
 from math import gcd
-from typing import Any, TypeVar
+from typing import Any
 
 from exactsweep.numbers.error import NumberError, quote
 from exactsweep.numbers.limits import answer_digits, get_max_digits
 
-_IntOrDecimal = TypeVar("_IntOrDecimal", int, Decimal)
-
-# The length up to which a split is no faster.
-_BITS, _DIGITS = 2**13, 2**11
-
 _EXACT = Context(prec=MAX_PREC, Emax=MAX_EMAX, Emin=MIN_EMIN, traps=[Inexact])
 
-# The JSON number grammar, extended with fractions.
+# The JSON number grammar, extended with fractions: the whole part, the denominator, the decimals,
+# the sign of the exponent and its digits.
 _NUMBER = re.compile(
-    r"(?P<sign>-?)(?P<whole>0|[1-9][0-9]*)"
-    r"(?:/(?P<denominator>0|[1-9][0-9]*)"
-    r"|(?:\.(?P<decimals>[0-9]+))?(?:[eE](?P<subtract>-?)\+?0*(?P<exponent>[0-9]+))?)"
+    r"(-?(?:0|[1-9][0-9]*))"
+    r"(?:/(0|[1-9][0-9]*)|(?:\.([0-9]+))?(?:[eE]([+-]?)0*([0-9]+))?)"
 )
 
 # The number of digits that int() reads under every limit of the interpreter.
@@ -49,27 +42,13 @@ _DIGITS_BEFORE_REDUCTION = 5
 # The length of a number that people are shown exactly, and the digits of any other.
 _SHOWN_DIGITS, _ROUNDED_DIGITS = 24, 12
 
+# The length up to which powers of ten are written without the mark of rounded numbers.
+_LONG_BITS = 2**13
+
 
 def write_int(value: int) -> str:
-    """Write an int of any length in decimal digits. Cost: O(n^1.6) for n digits."""
-    if value.bit_length() <= _BITS:
-        # The interpreter writes up to 640 digits under any limit, in a third of the time.
-        return str(value) if value.bit_length() <= _DIGITS else str(Decimal(value))
-    if value < 0:
-        return f"-{write_int(-value)}"
-    with localcontext(_EXACT):
-        bases = _square(Decimal(2) ** _BITS, value.bit_length() // _BITS)
-        return f"{_to_decimal(value, bases, len(bases)):f}"
-
-
-def read_int(text: str) -> int:
-    """Read any number of decimal digits, after an optional minus sign. Cost: O(n^1.6)."""
-    if len(text) <= _DIGITS:
-        return int(Decimal(text))
-    if text[0] == "-":
-        return -read_int(text[1:])
-    bases = _square(10**_DIGITS, len(text) // _DIGITS)
-    return _to_int(text, bases, len(bases))
+    """Write an int of any length in decimal digits."""
+    return str(Decimal(value))
 
 
 def read_ratio(text: str) -> tuple[int, int]:
@@ -80,34 +59,23 @@ def read_ratio(text: str) -> tuple[int, int]:
     >>> read_ratio("-1.5e-2")
     (-3, 200)
     """
-    if len(text) <= _SHORT and text.isascii() and len(text) <= get_max_digits():
-        digits = text.removeprefix("-")
-        # Most numbers are integers, decimals without an exponent, or fractions.
-        whole, point, decimals = digits.partition(".")
-        whole, slash, below = whole.partition("/")
-        if whole.isdecimal() and (whole[0] != "0" or whole == "0"):
-            if whole == digits:
-                return int(text), 1
-            n = d = 0
-            if decimals.isdecimal() and not slash:
-                n, d = int(whole + decimals), 10 ** len(decimals)
-            elif below.isdecimal() and below[0] != "0" and not point:
-                n, d = int(whole), int(below)
-            if d:
-                common = gcd(n, d)
-                n //= common
-                return -n if text.startswith("-") else n, d // common
     match = _NUMBER.fullmatch(text)
     if match is None:
         raise NumberError(f"{quote(text)} is not a number such as 3, -7/2, 0.125 or 1e-3")
-    whole, denominator = match["whole"], match["denominator"]
-    if denominator is None:
-        return _from_decimal(text, match)
+    whole, denominator, decimals, sign, exponent = match.groups()
     if denominator == "0":
         raise NumberError(f"{quote(text)} has a zero denominator")
-    if max(len(whole), len(denominator)) > answer_digits():
+    if exponent is None and len(text) <= min(_SHORT, get_max_digits()):
+        if decimals is None and denominator is None:
+            return int(whole), 1
+        n, d = int(whole + (decimals or "")), int(denominator or 10 ** len(decimals))
+        common = gcd(n, d)
+        return n // common, d // common
+    if denominator is None:
+        return _read_decimal(text, whole, decimals or "", sign or "", exponent or "0")
+    if max(len(whole.removeprefix("-")), len(denominator)) > answer_digits():
         raise _too_long(text)
-    return _check(text, Fraction(read_int(match["sign"] + whole), read_int(denominator)))
+    return _check(text, Fraction(int(Decimal(whole)), int(Decimal(denominator))))
 
 
 def format_fraction(value: Fraction) -> str:
@@ -149,7 +117,7 @@ def abridge(value: Fraction) -> str:
     text = format_fraction(value)
     if len(text) <= _SHOWN_DIGITS:
         return text
-    if max(value.numerator.bit_length(), value.denominator.bit_length()) <= _BITS:
+    if max(value.numerator.bit_length(), value.denominator.bit_length()) <= _LONG_BITS:
         rounded = _round(value, _SHOWN_DIGITS + 10)
         text = _write_decimal(rounded)
         if len(text) <= _SHOWN_DIGITS + 10 and rounded == value:
@@ -211,7 +179,7 @@ def _round(value: Fraction, digits: int) -> Decimal:
     """Round a number to some digits; exact if it has no more and is not very long."""
     # The conversion of an int to a Decimal takes quadratic time.
     n, d = value.as_integer_ratio()
-    cut, below = (max(0, number.bit_length() - _BITS) for number in (n, d))
+    cut, below = (max(0, number.bit_length() - _LONG_BITS) for number in (n, d))
     with localcontext(_EXACT) as context:
         context.prec, context.traps[Inexact] = 3 * digits, False
         quotient = _divide(Fraction(n >> cut, d >> below), 3 * digits)
@@ -244,44 +212,19 @@ def _write(value: Any) -> Any:
     return [*map(_write, value)] if isinstance(value, list | tuple) else value
 
 
-def _square(base: _IntOrDecimal, times: int) -> list[_IntOrDecimal]:
-    """List the base and its repeated squares, as far as a length needs them."""
-    bases = [base]
-    while 2 ** len(bases) <= times:
-        bases.append(bases[-1] * bases[-1])
-    return bases
-
-
-def _to_decimal(value: int, bases: list[Decimal], depth: int) -> Decimal:
-    if depth == 0:
-        return Decimal(value)
-    bits = _BITS << depth - 1
-    high = value >> bits
-    low = _to_decimal(value - (high << bits), bases, depth - 1)
-    return _to_decimal(high, bases, depth - 1) * bases[depth - 1] + low if high else low
-
-
-def _to_int(text: str, bases: list[int], depth: int) -> int:
-    if depth == 0:
-        return int(Decimal(text))
-    digits = _DIGITS << depth - 1
-    low = _to_int(text[-digits:], bases, depth - 1)
-    high = text[:-digits]
-    return _to_int(high, bases, depth - 1) * bases[depth - 1] + low if high else low
-
-
-def _from_decimal(text: str, match: re.Match[str]) -> tuple[int, int]:
-    sign, whole, decimals, exponent = match.group("sign", "whole", "decimals", "exponent")
+def _read_decimal(
+    text: str, whole: str, decimals: str, sign: str, exponent: str
+) -> tuple[int, int]:
     # Up to 15 digits, so that reading the exponent takes no time.
-    if exponent is not None and len(exponent) > 15:
+    if len(exponent) > 15:
         raise _too_long(text)
-    places = len(decimals or "") - int(f"{match['subtract'] or ''}{exponent or 0}")
-    digits = f"{whole}{decimals or ''}".lstrip("0") or "0"
+    places = len(decimals) - int(sign + exponent)
+    digits = f"{whole}{decimals}".removeprefix("-").lstrip("0")
     # Reject the number before computing it, even if the reduced number would be short.
-    length = max(len(digits) - min(places, 0), places)
+    length = max(len(digits or "0") - min(places, 0), places)
     if length > _DIGITS_BEFORE_REDUCTION * _allowed_digits(text):
         raise _too_long(text)
-    number = read_int(sign + digits)
+    number = int(Decimal(whole + decimals))
     return _check(text, Fraction(number * 10 ** max(-places, 0), 10 ** max(places, 0)))
 
 

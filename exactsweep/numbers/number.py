@@ -4,12 +4,10 @@ from __future__ import annotations
 
 import numbers
 import operator
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 from decimal import Decimal
 from fractions import Fraction
-from functools import partial
-from math import gcd, isqrt
-from operator import attrgetter
+from math import isqrt
 from typing import NamedTuple
 
 from exactsweep.numbers.digits import abridge, format_rounded, read_ratio, write_int
@@ -17,9 +15,6 @@ from exactsweep.numbers.error import NumberError, quote
 from exactsweep.numbers.limits import get_max_digits, limits
 
 _new = object.__new__
-
-# The slots of a Fraction; its properties, written in Python, take four times as long.
-_numerator, _denominator = attrgetter("_numerator"), attrgetter("_denominator")
 
 
 class Point(NamedTuple):
@@ -72,9 +67,6 @@ class Area(Fraction):
     def __reduce__(self) -> tuple[type, tuple[int, int]]:
         return Fraction, (self.numerator, self.denominator)
 
-
-_make_point = partial(tuple.__new__, Point)
-"""Makes a Point of a pair, faster than `Point._make`, which is Python code."""
 
 ORIGIN = Point(Fraction(0), Fraction(0))
 
@@ -156,20 +148,7 @@ def _make_reduced(numerator: int, denominator: int) -> Fraction:
 
 def split_ratios(values: Sequence[Fraction]) -> tuple[list[int], list[int]]:
     """Return the numerators and the denominators of many numbers."""
-    return [*map(_numerator, values)], [*map(_denominator, values)]
-
-
-def divide_exactly(value: int | Fraction, divisor: int | Fraction) -> Fraction:
-    """Divide by a positive number; faster than `/` for two ints."""
-    if type(divisor) is int:
-        if type(value) is int:
-            common = gcd(value, divisor)
-            return _make_reduced(value // common, divisor // common)
-        if type(value) is Fraction:
-            n, d = value.as_integer_ratio()
-            common = gcd(n, divisor)
-            return _make_reduced(n // common, d * (divisor // common))
-    return Fraction(value, divisor)
+    return [v.numerator for v in values], [v.denominator for v in values]
 
 
 def ratio(value: int | Fraction, divisor: int | Fraction) -> int | Fraction:
@@ -179,30 +158,8 @@ def ratio(value: int | Fraction, divisor: int | Fraction) -> int | Fraction:
         >>> ratio(6, 3), ratio(6, 4)
         (2, Fraction(3, 2))
     """
-    if type(value) is int and type(divisor) is int:
-        common = gcd(value, divisor)
-        if common == divisor:
-            return value // common
-        return _make_reduced(value // common, divisor // common)
-    whole = value // divisor
-    return whole if whole * divisor == value else divide_exactly(value, divisor)
-
-
-def divide_all(values: Iterable[int | Fraction], divisor: int) -> list[Fraction]:
-    """Divide numbers by a positive int; faster for ints."""
-    if divisor != 1:
-        return [divide_exactly(v, divisor) for v in values]
-    found: list[Fraction] = []
-    for v in values:
-        if type(v) is int:
-            # As `_make_reduced` does, without the call.
-            fraction = _new(Fraction)
-            fraction._numerator = v  # type: ignore[attr-defined]
-            fraction._denominator = 1  # type: ignore[attr-defined]
-            found.append(fraction)
-        else:
-            found.append(v)  # type: ignore[arg-type]
-    return found
+    found = Fraction(value, divisor)
+    return found.numerator if found.denominator == 1 else found
 
 
 def find_root(square: Fraction) -> Fraction | None:
@@ -240,11 +197,6 @@ def _from_real(value: float | numbers.Real) -> Fraction:
     if binary != value:
         raise NumberError(f"{quote(value)} has no exact value as a float; give it as a fraction")
     return exact
-
-
-def make_points(xs: Iterable[Fraction], ys: Iterable[Fraction]) -> list[Point]:
-    """Make points of two lists of coordinates."""
-    return list(map(_make_point, zip(xs, ys, strict=True)))
 
 
 def read_any_length(text: str) -> Fraction:

@@ -14,6 +14,7 @@ mirror images. This module evaluates them on every open interval between sums of
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
+from fractions import Fraction
 from functools import lru_cache
 from itertools import pairwise
 from math import lcm
@@ -29,7 +30,6 @@ from exactsweep.numbers.number import (
     Point,
     Rational,
     Vertex,
-    divide_exactly,
     to_fraction,
 )
 from exactsweep.paper.piecewise import (
@@ -151,7 +151,7 @@ class _IntegerFrame:
 
     def _leave(self, ring: Iterable[Vertex], finer: int = 1) -> tuple[Point, ...]:
         scale = (self._ux**2 + self._uy**2) * self._scale * finer
-        return tuple(Point(divide_exactly(x, scale), divide_exactly(y, scale)) for x, y in ring)
+        return tuple(Point(Fraction(x, scale), Fraction(y, scale)) for x, y in ring)
 
     def segment(self, ends: Edge) -> Fit:
         hanging, inner = self._leave(self._back(x, y) for x, y in ends)

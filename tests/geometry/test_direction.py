@@ -22,7 +22,7 @@ from exactsweep.geometry.direction import (
     read_direction,
     reduce_direction,
 )
-from exactsweep.geometry.frame import choose_direction
+from exactsweep.geometry.frame import find_shared_direction
 from exactsweep.geometry.vectors import compare_angles
 
 Vector = tuple[int, int]
@@ -140,11 +140,11 @@ def test_choice_is_the_simplest_there_is(one: Polygon, other: Polygon) -> None:
     tried += [(p, q) for p in range(12) for q in range(-11, 12) if gcd(p, q) == 1]
     shared = {u for u in tried if is_weakly_monotone(one, u) and is_weakly_monotone(other, u)}
     if not shared:
-        with pytest.raises(DirectionError):
-            choose_direction(one, other)
+        assert find_shared_direction(one, other) is None
         return
     strict = {u for u in shared if is_strictly_monotone(one, u) and is_strictly_monotone(other, u)}
-    chosen = choose_direction(one, other)
+    chosen = find_shared_direction(one, other)
+    assert chosen is not None
     assert chosen == (find_monotone_directions(one) & find_monotone_directions(other)).simplest()
     assert chosen == reduce_direction(chosen)
     if X_AXIS in shared:
@@ -173,20 +173,6 @@ def test_choice_is_the_simplest_there_is(one: Polygon, other: Polygon) -> None:
 )
 def test_ranges_worked_by_hand(vertices: Any, text: str) -> None:
     assert str(find_monotone_directions(Polygon(vertices))) == text
-
-
-def test_no_shared_direction_is_refused_with_the_directions_of_both() -> None:
-    lying, standing = Polygon(NOTCHED), Polygon([(y, x) for x, y in NOTCHED])
-    with pytest.raises(DirectionError) as caught:
-        choose_direction(lying, standing)
-    message = str(caught.value)
-    assert message.startswith("the polygons share no direction of monotonicity: ")
-    one, other = (
-        f"{name}: {find_monotone_directions(p)}"
-        for name, p in (("generatrix", lying), ("directrix", standing))
-    )
-    assert one in message
-    assert other in message
 
 
 def test_direction_asked_for_is_refused_with_those_there_are() -> None:
@@ -275,6 +261,6 @@ def test_the_simplest_of_few_directions_is_chosen(way: Vector, steep: int) -> No
     # A zigzag along `way`: the larger `steep`, the closer to `way` are all its directions of
     # monotonicity.
     zigzag = Polygon([(-x, -y), *up, (5 * x, 5 * y), *down])
-    chosen = choose_direction(zigzag, zigzag)
+    chosen = find_shared_direction(zigzag, zigzag)
     assert chosen == find_monotone_directions(zigzag).simplest()
     assert chosen == way or steep < 99

@@ -16,7 +16,7 @@ from exactsweep.check import verify
 from exactsweep.geometry.canonical import CanonicalRing, canonicalize_ring, find_doubled_area
 from exactsweep.numbers import lazy_number
 from exactsweep.numbers.addition import add_ratios, add_up
-from exactsweep.numbers.digits import read_int, write_int
+from exactsweep.numbers.digits import read_ratio, write_int
 from exactsweep.numbers.number import Vertex
 
 GRID = st.lists(st.tuples(st.integers(0, 4), st.integers(0, 4)), min_size=3, max_size=9)
@@ -208,15 +208,14 @@ def test_holes_of_unrelated_denominators_share_no_lattice() -> None:
         Region(plate.exterior, [*holes, [(units[1], units[2]), (1, units[2]), (units[0], 2)]])
 
 
-@pytest.mark.parametrize("digits", [1, 2047, 2048, 2049, 2467, 5000, 9999, 40_000])
+@pytest.mark.parametrize("digits", [1, 639, 640, 641, 4299, 4300, 4301, 40_000])
 @pytest.mark.parametrize("sign", ["", "-"])
 def test_digits_come_and_go(digits: int, sign: str) -> None:
     rng = Random(digits)
     for text in ("9" * digits, "1" + "0" * (digits - 1), str(rng.getrandbits(64)) * (digits // 19)):
         if text:
             value = int(Decimal(sign + text))
-            assert read_int(sign + text) == value
+            assert read_ratio(sign + text) == (value, 1)
             assert write_int(value) == sign + text
-    assert read_int("0") == read_int("-0") == 0
-    assert read_int("-" + "0" * 5000) == 0
+    assert read_ratio("0") == read_ratio("-0") == (0, 1)
     assert write_int(0) == "0"

@@ -7,7 +7,7 @@ from itertools import chain
 from math import lcm
 
 from exactsweep.geometry.distance import measure_to_edge
-from exactsweep.numbers.number import PointRings, Rational, divide_exactly
+from exactsweep.numbers.number import PointRings, Rational
 
 
 def measure_distance(first: PointRings, second: PointRings) -> Fraction:
@@ -44,4 +44,4 @@ def measure_distance(first: PointRings, second: PointRings) -> Fraction:
                     break
             else:
                 n, d = least, unit
-    return divide_exactly(n, d * scale * scale)
+    return Fraction(n, d * scale * scale)

@@ -21,7 +21,7 @@ from math import atan2, ceil, floor, isqrt, lcm, pi, sin, tan
 from typing import NamedTuple, Protocol
 
 from exactsweep.formats.curved.affine import Affine
-from exactsweep.numbers.number import Point, divide_all, make_points
+from exactsweep.numbers.number import Point
 
 BITS = 30
 """The bits of a place on a curve."""
@@ -103,7 +103,7 @@ class Bezier(NamedTuple):
             w = rest[0] * scale if rest else whole
             xs.append((2 * x * grid + w) // (2 * w))
             ys.append((2 * y * grid + w) // (2 * w))
-        return make_points(divide_all(xs, grid), divide_all(ys, grid))
+        return [Point(Fraction(x, grid), Fraction(y, grid)) for x, y in zip(xs, ys, strict=True)]
 
     def sampler(self) -> Callable[[int], complex]:
         """Return a function from parameters to points as floats, relative to the start."""
@@ -164,7 +164,7 @@ class Arc(NamedTuple):
             w *= scale
             xs.append((2 * x * grid + w) // (2 * w))
             ys.append((2 * y * grid + w) // (2 * w))
-        return make_points(divide_all(xs, grid), divide_all(ys, grid))
+        return [Point(Fraction(x, grid), Fraction(y, grid)) for x, y in zip(xs, ys, strict=True)]
 
     def sampler(self) -> Callable[[int], complex]:
         """Return a function from parameters to points as floats, relative to the start."""

@@ -14,7 +14,7 @@ from exactsweep.formats.error import FormatError
 from exactsweep.formats.reading import INSUNITS, Reading
 from exactsweep.formats.size import ENTITY, require_count, require_size
 from exactsweep.numbers.error import name_refusals, quote
-from exactsweep.numbers.number import Point, make_points
+from exactsweep.numbers.number import Point
 
 _LAYER, _FLAGS, _PAPER, _NAME, _INVISIBLE, _COLOR, _PLOT = 8, 70, 67, 2, 60, 62, 290
 _BULGE, _COMMENT = 42, 999
@@ -91,7 +91,7 @@ class Entity:
         xs, ys = self.numbers(code), self.numbers(code + 10)
         if len(xs) != len(ys):
             raise FormatError(f"{len(xs)} numbers of group {code}, {len(ys)} of group {code + 10}")
-        return make_points(xs, ys)
+        return [*map(Point, xs, ys)]
 
     def take(self, *codes: int, default: str | None = None) -> list[Fraction]:
         """Return the numbers with several group codes, as `number` does each."""

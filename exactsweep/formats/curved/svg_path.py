@@ -21,7 +21,7 @@ from exactsweep.formats.decimals import DECIMAL, count_decimals, read_decimal, r
 from exactsweep.formats.error import FormatError
 from exactsweep.formats.reading import Reading
 from exactsweep.numbers.error import NumberError, quote
-from exactsweep.numbers.number import ORIGIN, Point, make_points
+from exactsweep.numbers.number import ORIGIN, Point
 
 _NUMBER = rf"[\s,]*+({DECIMAL})"
 # The flags of an arc need no separators.
@@ -104,7 +104,7 @@ class Subpaths:
             # After Z, the next subpath begins where the last one did.
             self._add([self.current])
         if kind in "ML":
-            ends = make_points(*zip(*rows, strict=True))
+            ends = [*map(Point, *zip(*rows, strict=True))]
             if is_relative:
                 ends = [*accumulate(ends, _add, initial=self.current)][1:]
             # Further pairs after M are lines.
@@ -121,7 +121,7 @@ class Subpaths:
             elif kind == "A":
                 self._draw_arc(row, _add(origin, Point(*row[5:])))
             elif kind in _BEZIERS:
-                points = make_points(row[::2], row[1::2])
+                points = [*map(Point, row[::2], row[1::2])]
                 self._draw_bezier(kind, [_add(origin, point) for point in points])
 
     def _draw_arc(self, row: Sequence[Fraction], end: Point) -> None:
