@@ -22,31 +22,18 @@ from exactsweep.procedures.walk import Free
 
 
 class ShapeSolution:
-    """The loops and exact fits of a pair of any shape, in the form of `MonotoneSolution`."""
+    """The loops and exact fits of a pair of any shape, in the form of `MonotoneSolution`.
+
+    Attributes:
+        frame: the lattice of the pair, not rotated.
+        generatrix, directrix: the rings of G and of D on the lattice.
+    """
 
     kind: Kind = "SS"
 
     def __init__(self, generatrix: Region, directrix: Region) -> None:
-        self._pair = generatrix, directrix
-
-    @cached_property
-    def _lattice(self) -> tuple[int, list[list[list[Vertex]]]]:
-        return share_lattice(self._pair)
-
-    @cached_property
-    def frame(self) -> Frame:
-        """The lattice of the pair, not rotated."""
-        return Frame(X_AXIS, self._lattice[0])
-
-    @cached_property
-    def generatrix(self) -> list[list[Vertex]]:
-        """The rings of G on the lattice."""
-        return self._lattice[1][0]
-
-    @cached_property
-    def directrix(self) -> list[list[Vertex]]:
-        """The rings of D on the lattice."""
-        return self._lattice[1][1]
+        scale, (self.generatrix, self.directrix) = share_lattice((generatrix, directrix))
+        self.frame = Frame(X_AXIS, scale)
 
     @cached_property
     def _no_fit(self) -> Free:
@@ -92,7 +79,7 @@ class ShapeSolution:
     @cached_property
     def inner(self) -> list[Point]:
         """The inner loop around D: D with its undercuts and holes closed."""
-        shape = EdgeIndex([self._pair[1].exterior.vertices])
+        shape = EdgeIndex([self.frame.leave(self.directrix[0])])
         # D lies in one of these loops, and their interiors are disjoint.
         return next(
             loop for loop in self._inside if relate(EdgeIndex([loop]), shape) is Relation.OVERLAP

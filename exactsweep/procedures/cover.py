@@ -14,7 +14,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from fractions import Fraction
 from functools import reduce
 from itertools import chain, pairwise, product
-from math import isqrt, lcm
+from math import isqrt
 from operator import or_
 
 from exactsweep.geometry.edges import Rings
@@ -94,32 +94,16 @@ def find_squares(rings: Rings, side: int) -> tuple[int, int, list[int], list[int
     for (px, py), (qx, qy) in (
         sorted(edge) for ring in rings for edge in pairwise([ring[-1], *ring])
     ):
-        # `unit` times the edge is on the lattice.
-        unit = lcm(px.denominator, py.denominator, qx.denominator, qy.denominator)
-        if unit != 1:
-            px, py, qx, qy = int(px * unit), int(py * unit), int(qx * unit), int(qy * unit)
-        dx, dy, width = qx - px, qy - py, side * unit
-        first, last = -(-px // width) - 1, qx // width
-        if dx == 0:
-            bits = (2 << qy // width - low) - (1 << -(-py // width) - 1 - low)
-            for k in range(first, last + 1):
-                near[k - left] |= bits
-            continue
-        # The height of the edge at the left border of the column, times dx, and its row.
-        height, rise = py * dx, width * dx
-        row = height // rise - low
-        below = row - (height == (row + low) * rise)
-        for k in range(first, last + 1):
-            x = (k + 1) * width
-            height = qy * dx if x >= qx else py * dx + (x - px) * dy if x > px else py * dx
-            if px <= x - width < qx:
-                odd[k - left] ^= -1 << row + 1
-            next_row = height // rise - low
-            next_below = next_row - (height == (next_row + low) * rise)
-            top = row if row > next_row else next_row
-            bottom = below if below < next_below else next_below
+        dx, dy = qx - px, qy - py
+        for k in range(-(-px // side) - 1, qx // side + 1):
+            # The heights of the edge at both borders of the column, or its ends, times dx.
+            x, u = max(k * side, px), min((k + 1) * side, qx)
+            start, end = (py, qy) if dx == 0 else (py * dx + (x - px) * dy, py * dx + (u - px) * dy)
+            unit = side * (dx or 1)
+            top, bottom = max(start, end) // unit - low, -(-min(start, end) // unit) - 1 - low
             near[k - left] |= (2 << top) - (1 << bottom)
-            row, below = next_row, next_below
+            if px <= k * side < qx:
+                odd[k - left] ^= -1 << start // unit + 1 - low
     return left, low, near, odd
 
 

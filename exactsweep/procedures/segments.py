@@ -72,18 +72,6 @@ class ContactSegment:
         cuts: the crossings with other segments, and `keys`, those of the ends; see `crossings`.
     """
 
-    __slots__ = (
-        "covered",
-        "cuts",
-        "high",
-        "high_sides",
-        "keys",
-        "line",
-        "low",
-        "low_sides",
-        "sides",
-    )
-
     def __init__(
         self,
         line: LatticeLine,
@@ -157,20 +145,15 @@ def _move(
 ) -> None:
     """Add edges, moved by a vertex, to the pieces of their lines."""
     x, y = vertex
-    if type(x) is int and type(y) is int:
-        for dx, dy, offset, low, high, ahead, _ in edges:
-            along = x if dx else y
-            pieces[dx, dy, dx * y - dy * x + offset].append((low + along, high + along, ahead))
-        return
     # `unit` times the vertex is on the lattice.
     unit = lcm(x.denominator, y.denominator)
     u, v = int(unit * x), int(unit * y)
     for dx, dy, offset, low, high, ahead, _ in edges:
-        moved = x if dx else y
+        along = x if dx else y
         c = dx * v - dy * u + unit * offset
         common = gcd(unit * dx, unit * dy, c)
         line = unit * dx // common, unit * dy // common, c // common
-        pieces[line].append((low + moved, high + moved, ahead))
+        pieces[line].append((low + along, high + along, ahead))
 
 
 def _list_edges(ring: Sequence[Vertex]) -> list[EdgeFeature]:

@@ -19,7 +19,7 @@ from itertools import chain, groupby
 from typing import NamedTuple
 
 from exactsweep.geometry.vectors import angle_key
-from exactsweep.numbers.number import Fit, Point, Vertex
+from exactsweep.numbers.number import Fit, Point
 from exactsweep.procedures.crossings import HomogeneousPoint, OneSidedPiece, Pieces, TwoSidedPiece
 
 PieceRing = Sequence[OneSidedPiece]
@@ -118,18 +118,11 @@ def _follow(
 ) -> OneSidedPiece | None:
     """Return the first piece counter-clockwise (`min`: clockwise) from the reverse of a piece."""
     _, end, dx, dy = piece
-    found = leaving.get(end)
-    if not found:
-        return None
-    if len(found) == 1:
-        return found[0]
-
-    def mirror(other: OneSidedPiece) -> Vertex:
-        """Return the direction with the reverse of the piece as the X axis, clockwise."""
-        _, _, ex, ey = other
-        return -dx * ex - dy * ey, dx * ey - dy * ex
-
-    return choose(found, key=lambda other: angle_key(mirror(other)))
+    found = leaving.get(end, ())
+    if len(found) < 2:
+        return found[0] if found else None
+    # With the reverse of the piece as the X axis, clockwise.
+    return choose(found, key=lambda p: angle_key((-dx * p[2] - dy * p[3], dx * p[3] - dy * p[2])))
 
 
 def split_where_it_touches(ring: Iterable[OneSidedPiece]) -> Iterator[PieceRing]:
