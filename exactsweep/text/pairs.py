@@ -3,15 +3,20 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from fractions import Fraction
 from typing import NamedTuple
 
 from exactsweep.evidence.overlap import Overlap
 from exactsweep.formats.exact_json import write_json
 from exactsweep.geometry.polyline import Polyline
 from exactsweep.geometry.region import AnyPolygon, Region
-from exactsweep.numbers.digits import abridge
-from exactsweep.text.report import approximate, lay_out, list_facts, make_table, take_root
+from exactsweep.text.report import (
+    approximate,
+    lay_out,
+    list_facts,
+    make_table,
+    take_root,
+    write_area,
+)
 from exactsweep.text.results import write_json_value, write_object
 from exactsweep.words import count, write_pair
 
@@ -46,12 +51,12 @@ def report_sum(
     loops |= {f"hole {k}": hole for k, hole in enumerate(found.holes)}
     width = max(map(len, [*loops, "b (path)"]))
     sizes = make_table(("", "vertices", "area about", "area exactly"), {"vertices"}, width)
-    sizes.add_row("a", str(len(a)), *_write_area(a.area))
+    sizes.add_row("a", str(len(a)), *write_area(a.area))
     if isinstance(b, Polyline):
         sizes.add_row("b (path)", str(len(b)), "", "")
     else:
-        sizes.add_row("b", str(len(b)), *_write_area(b.area))
-    sizes.add_row("sum", str(len(found)), *_write_area(found.area))
+        sizes.add_row("b", str(len(b)), *write_area(b.area))
+    sizes.add_row("sum", str(len(found)), *write_area(found.area))
     texts = {name: str(loop).replace(", ", ",") for name, loop in loops.items()}
     return lay_out([sizes, list_facts(texts, width)], terminal_width)
 
@@ -90,7 +95,7 @@ def report_overlap(o: Overlap, terminal_width: int | None = None) -> str:
     """Describe the overlap of two shapes: verdict, area, depth, least move, witness."""
     facts: dict[str, str] = {"verdict": o.verdict}
     if o.verdict == "OVERLAP":
-        facts["common area"] = _join(*_write_area(o.area))
+        facts["common area"] = _join(*write_area(o.area))
         facts["depth"] = approximate(take_root(o.depth_squared), up=True)
         facts["least move"] = f"{write_pair(o.move)} of b"
     elif o.verdict == "FREE":
@@ -115,11 +120,6 @@ def report_overlaps(
     touching = len(found) - overlapping
     total = f"{count(overlapping, 'overlap')}, {touching} in contact, {free} free\n"
     return (lay_out([table], terminal_width) if found else "") + total
-
-
-def _write_area(area: Fraction) -> tuple[str, str]:
-    exact, rounded = abridge(area), approximate(area)
-    return "" if rounded == exact else rounded, exact
 
 
 def _join(rounded: str, exact: str) -> str:

@@ -159,8 +159,8 @@ def _tell(
     width = max(map(len, [*facts, *shapes, name, *texts]))
     sizes = make_table(("", "vertices", "area about", "area exactly"), {"vertices"}, width)
     for called, shape in shapes.items():
-        sizes.add_row(called, str(len(shape)), *_area(shape.area))
-    sizes.add_row(name, "", *_area(area))
+        sizes.add_row(called, str(len(shape)), *write_area(shape.area))
+    sizes.add_row(name, "", *write_area(area))
     tables = [list_facts(facts, width), sizes]
     if everything:
         # Tables are slow for long numbers.
@@ -230,7 +230,8 @@ def list_facts(texts: Mapping[str, str], width: int) -> Table:
     return table
 
 
-def _area(area: Fraction) -> tuple[str, str]:
+def write_area(area: Fraction) -> tuple[str, str]:
+    """Write an area rounded, unless that is exact, and exactly."""
     exact, rounded = abridge(area), approximate(area)
     return "" if rounded == exact else rounded, exact
 
