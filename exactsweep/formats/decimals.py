@@ -86,10 +86,11 @@ def show_point(point: Point) -> str:
     >>> show_point(Point(Fraction(1, 8), Fraction(1, 3)))
     '(0.125,0.3333333333)'
     """
-    return f"({','.join(map(_show, point))})"
+    return f"({','.join(map(show_number, point))})"
 
 
-def _show(value: Fraction) -> str:
+def show_number(value: Fraction) -> str:
+    """Write a number for a message, as `show_point` does."""
     if value.denominator == 1 and abs(value) < 10**_SHOWN:
         return str(value)
     with suppress(FormatError):

@@ -8,9 +8,9 @@ from copy import copy
 from fractions import Fraction
 from typing import TypedDict
 
+from exactsweep.formats.decimals import show_number
 from exactsweep.formats.error import FormatError
 from exactsweep.formats.size import VERTEX, require_count, require_size
-from exactsweep.numbers.digits import abridge
 from exactsweep.numbers.error import name_refusals, quote
 from exactsweep.numbers.limits import get_max_bytes
 from exactsweep.numbers.number import to_fraction
@@ -205,7 +205,7 @@ def read_positive(value: object, name: str) -> Fraction | None:
     with name_refusals(name, FormatError):
         number = to_fraction(value)
     if number <= 0:
-        raise FormatError(f"{name}, {abridge(number)}, is not positive")
+        raise FormatError(f"{name}, {show_number(number)}, is not positive")
     return number
 
 

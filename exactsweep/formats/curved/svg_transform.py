@@ -6,9 +6,8 @@ from fractions import Fraction
 
 from exactsweep.formats.curved.affine import IDENTITY, Affine, make_affine, make_scaling, make_shift
 from exactsweep.formats.curved.arc import make_rotation
-from exactsweep.formats.decimals import read_decimals
+from exactsweep.formats.decimals import read_decimals, show_number
 from exactsweep.formats.error import FormatError
-from exactsweep.numbers.digits import abridge
 from exactsweep.numbers.error import quote
 
 _FUNCTION = re.compile(r"[\s,]*([A-Za-z]+)\s*\(([^()]*)\)[\s,]*")
@@ -70,7 +69,7 @@ def _skew_x(numbers: Sequence[Fraction]) -> Affine:
         return make_affine(1, 0, {0: 0, 45: 1, 135: -1}[int(angle % 180)], 1, 0, 0)
     turn = make_rotation(angle)
     if abs(turn.a) < Fraction(1, 10**6):
-        raise FormatError(f"a skew by {abridge(angle)} degrees")
+        raise FormatError(f"a skew by {show_number(angle)} degrees")
     # By the angle the tangent grows at 1 / cos**2.
     return make_affine(1, 0, turn.b / turn.a, 1, 0, 0)._replace(off=2 * turn.off / turn.a**2)
 

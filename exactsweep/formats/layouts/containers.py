@@ -9,9 +9,9 @@ from typing import NamedTuple
 
 from exactsweep.formats.candidate import Candidate
 from exactsweep.formats.choice import select
+from exactsweep.formats.decimals import show_number
 from exactsweep.formats.depth import tell_place
 from exactsweep.formats.error import FormatError
-from exactsweep.numbers.digits import abridge
 from exactsweep.numbers.error import quote
 
 _WORDS = re.compile(r"(sheet|bin|board|container|stock)s?(?:[\W_]*\d+)?", re.IGNORECASE)
@@ -171,7 +171,7 @@ def _list_candidates(largest: Sequence[Candidate], boxes: dict[int, _Spread]) ->
     listed = []
     for one in largest[:_LISTED]:
         left, low, right, high = boxes[id(one)]
-        size = f"{abridge(right - left)} x {abridge(high - low)}"
+        size = f"{show_number(right - left)} x {show_number(high - low)}"
         listed.append(f"{tell_place(one)}, {size}")
     return (
         "no outline is around all others; name the container (--container). The largest are "

@@ -114,7 +114,7 @@ def _list_open(outlines: Sequence[Candidate], parts: Sequence[Candidate]) -> lis
 
 def _is_on(points: Sequence[Point], ring: Sequence[Point]) -> bool:
     """Decide whether all points are inside a ring; an outline of its own is elsewhere."""
-    return all(is_inside(Point(2 * x, 2 * y), [ring]) for x, y in points)
+    return all(is_inside(point, [ring]) for point in points)
 
 
 def _make_layout(sheet: Sheet, *, nested: bool) -> FoundLayout:
