@@ -1,11 +1,12 @@
 """Layouts repaired by small moves, judged valid before they are returned.
 
-Each fault requires its placements to move apart by at least d in a direction n. Hildreth's method
-finds the shortest moves that do so for all faults, in floats, which decide nothing: the moved
-layout is judged again, and new faults add conditions. This ends soon if parts have room of the size
-of the faults, as after rounding. It may not end: a free layout nearby need not exist, and finding
-one is a hard problem. After some rounds, each placement with a fault moves to the nearest position
-free of all neighbours, if there is one.
+Two convex pieces keep a distance if the difference of their moves is long enough in the direction
+in which they part: a linear condition. Hildreth's method finds the shortest moves that meet the
+conditions of all near pieces, in floats, which decide nothing: the moved layout is judged again,
+and has other conditions. Parts that overlap deeply get the condition of their shortest repair. This
+ends soon if parts have room of the size of the faults, as after rounding. It may not end: a free
+layout nearby need not exist, and finding one is a hard problem. After some rounds, each placement
+with a fault moves to the nearest position free of all neighbours, if there is one.
 
 Source: Hildreth, "A quadratic programming procedure", Naval Research Logistics Quarterly 4, 1957.
 """
@@ -13,31 +14,41 @@ Source: Hildreth, "A quadratic programming procedure", Naval Research Logistics 
 from __future__ import annotations
 
 from collections import defaultdict
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from fractions import Fraction
+from itertools import chain
 from math import hypot
 from typing import NamedTuple
 
+from exactsweep.layout.board import Board
+from exactsweep.layout.clearance import list_clearances
 from exactsweep.layout.fault import Fault
 from exactsweep.layout.judge import Judgement, judge_layout
 from exactsweep.layout.layout import Layout
 from exactsweep.layout.repair import find_free_move
+from exactsweep.layout.solid import OutsideForm, Solid, share_scale
 from exactsweep.numbers.digits import find_magnitude
 from exactsweep.numbers.number import ORIGIN, Point
 
-_ROUNDS, _SINGLE_ROUNDS, _MOST, _SWEEPS = 24, 3, 1000, 4000
-# Moves overshoot by this factor, to reach a free layout instead of converging to it.
-_MORE, _NEARLY = 1 + 2.0**-10, 2.0**-12
-_DIGITS = 6
+_ROUNDS, _SINGLE_ROUNDS, _SWEEPS, _UPDATES = 24, 3, 4000, 4 * 10**6
+# The room beyond the required one that faults get, so that rounded moves are free, and the share
+# of it that sweeps and rounding may use.
+_MORE, _NEARLY = Fraction(1, 2**7), Fraction(1, 2**3)
+# Overlaps that are a larger share of the smallest part are deep.
+_DEEP = Fraction(1, 2**6)
+# Other pieces within this multiple of the deepest overlap must stay apart.
+_REACH = 8
+_MOST_FAULTS = 2000
+# The repair of pairs with more pairs of vertices needs less time than their pieces.
+_MOST = 10**4
 _MOVABLE = {"overlap", "outside", "too close", "undecided"}
 
 
 class _Condition(NamedTuple):
-    """Two placements, or one, that must move apart by a length in a direction."""
+    """A length by which two placements, or one, must move apart in a direction; or less than 0."""
 
-    first: int | None
-    last: int
+    placements: tuple[int, ...]
     x: float
     y: float
     length: Fraction
@@ -65,9 +76,10 @@ class RepairedLayout(NamedTuple):
 def repair_layout(judgement: Judgement) -> RepairedLayout | None:
     """Repair a layout by small moves.
 
-    None if no such moves were found, or a fault has no position.
+    None if no such moves were found, a fault has no position, or there are more than 2,000 faults.
 
-    Cost: up to about thirty judgements, and the repairs of all faults of each.
+    Cost: up to about thirty judgements, each with a few seconds of sweeps, and the repairs of deep
+        faults.
 
     Example:
         >>> from exactsweep.layout import Layout
@@ -86,14 +98,17 @@ def repair_layout(judgement: Judgement) -> RepairedLayout | None:
     for k in range(_ROUNDS + _SINGLE_ROUNDS):
         if judgement.valid:
             break
+        faults = judgement.faults
+        if len(faults) > _MOST_FAULTS or not all(fault.kind in _MOVABLE for fault in faults):
+            return None
         if k == _ROUNDS:
             judgement = first
-        faults = judgement.faults
-        if len(faults) > _MOST or not all(fault.kind in _MOVABLE for fault in faults):
-            return None
         if k < _ROUNDS:
-            conditions += _list_conditions(faults, moves)
-            moves = _find_least_moves(conditions)
+            found, near = _list_conditions(judgement)
+            more = _MORE * max((one.length for one in (*conditions, *found)), default=Fraction(0))
+            conditions += (_add_moves(one, moves, more) for one in found)
+            others = [_add_moves(one, moves, min(more, -one.length)) for one in near]
+            moves = _find_least_moves(conditions + others, more * _NEARLY)
             judgement = judge_layout(_move(layout, moves))
         else:
             judgement = judge_layout(_move(judgement.layout, _move_one_by_one(judgement)))
@@ -118,52 +133,98 @@ def _move(layout: Layout, moves: dict[int, Point]) -> Layout:
     return replace(layout, placements=tuple(placements))
 
 
-def _list_conditions(faults: Iterable[Fault], moves: dict[int, Point]) -> Iterator[_Condition]:
-    """Turn the faults that remain after some moves into conditions."""
-    for fault in faults:
-        if not (move := fault.move) or move == ORIGIN:
+def _list_conditions(judgement: Judgement) -> tuple[list[_Condition], list[_Condition]]:
+    """List the conditions of faults, and those of other near pieces if no fault is deep."""
+    board, faults = judgement._board, judgement.faults
+    found = [one for f in faults for one in _part_pieces(board, f.placements, Fraction(0))]
+    longest = max((one.length for one in found), default=board.grain)
+    if longest > board.grain * _DEEP:
+        return [*chain.from_iterable(map(_follow_repair, faults))], []
+    reach = _REACH * longest
+    near: list[tuple[int, ...]] = [*board.list_near(board.layout.spacing + reach)]
+    near += ((k,) for k in board.placed)
+    faulty = {fault.placements for fault in faults}
+    others = (_part_pieces(board, at, reach) for at in near if at not in faulty)
+    return found, [*chain.from_iterable(others)]
+
+
+def _part_pieces(board: Board, at: tuple[int, ...], reach: Fraction) -> Iterator[_Condition]:
+    """Yield the conditions of near pieces of two placements, or of one and the walls."""
+    k = at[-1]
+    walls = range(len(board.around)) if len(at) < 2 else ()
+    pairs = [(board.around[wall], board.required(wall)) for wall in walls]
+    for fixed, required in pairs or [(board.solid(at[0]), board.layout.spacing)]:
+        part = board.solid(k)
+        if _count(part) * _count(fixed) > _MOST:
             continue
-        last = fault.placements[-1]
-        first = fault.placements[0] if len(fault.placements) > 1 else None
+        is_outside = isinstance(fixed.form, OutsideForm)
+        pair = share_scale(part, fixed) if is_outside else share_scale(fixed, part)
+        needed = required + part.slack + fixed.slack
+        for one in list_clearances(*pair, needed + reach):
+            x, y = one.hulls.normal
+            length = needed - one.bound(up=False)
+            yield _aim(at, Fraction(x), Fraction(y), length)
+
+
+def _count(solid: Solid) -> int:
+    return sum(len(points) for points, _ in solid.form.rounded)
+
+
+def _follow_repair(fault: Fault) -> Iterator[_Condition]:
+    move = fault.move
+    if move and move != ORIGIN:
         size = max(map(abs, move))
-        x, y = float(move.x / size), float(move.y / size)
-        norm = hypot(x, y)
-        x, y = x / norm, y / norm
-        before, after = (
-            moves.get(first, ORIGIN) if first is not None else ORIGIN,
-            moves.get(last, ORIGIN),
-        )
-        reached = Fraction(x) * (after.x - before.x) + Fraction(y) * (after.y - before.y)
-        yield _Condition(first, last, x, y, reached + size * Fraction(norm * _MORE))
+        length = size * Fraction(hypot(move.x / size, move.y / size))
+        yield _aim(fault.placements, *move, length)
 
 
-def _find_least_moves(conditions: Sequence[_Condition]) -> dict[int, Point]:
+def _aim(at: tuple[int, ...], x: Fraction, y: Fraction, length: Fraction) -> _Condition:
+    size = max(abs(x), abs(y))
+    a, b = float(x / size), float(y / size)
+    norm = hypot(a, b)
+    return _Condition(at, a / norm, b / norm, length)
+
+
+def _add_moves(one: _Condition, moves: dict[int, Point], more: Fraction) -> _Condition:
+    """Return a condition on whole moves, after some moves, with more room."""
+    x, y = moves.get(one.placements[-1], ORIGIN)
+    if len(one.placements) > 1:
+        before = moves.get(one.placements[0], ORIGIN)
+        x, y = x - before.x, y - before.y
+    reached = Fraction(one.x) * x + Fraction(one.y) * y
+    return one._replace(length=reached + one.length + more)
+
+
+def _find_least_moves(conditions: Sequence[_Condition], nearly: Fraction) -> dict[int, Point]:
     """Find nearly shortest moves that satisfy all conditions, if any exist."""
-    unit = max((abs(one.length) for one in conditions), default=Fraction(0))
-    if not unit:
+    unit = max((one.length for one in conditions), default=Fraction(0))
+    if unit <= 0:
         return {}
     lengths = [float(one.length / unit) for one in conditions]
+    enough = float(nearly / unit)
     at: dict[int, list[float]] = defaultdict(lambda: [0.0, 0.0])
     pressures = [0.0] * len(conditions)
-    for _ in range(_SWEEPS):
+    ends = [(at[one.placements[-1]], at[one.placements[0]], *one[1:3]) for one in conditions]
+    for _ in range(min(_SWEEPS, _UPDATES // len(conditions))):
         worst = 0.0
-        for k, (first, last, x, y, _) in enumerate(conditions):
-            here, there = at[last], None if first is None else at[first]
+        for k, (here, there, x, y) in enumerate(ends):
             missing = lengths[k] - x * here[0] - y * here[1]
-            if there is not None:
-                missing += x * there[0] + y * there[1]
+            if there is not here:
+                missing = (missing + x * there[0] + y * there[1]) / 2
             worst = max(worst, missing)
-            change = max(-pressures[k], missing / (1 if there is None else 2))
-            pressures[k] += change
-            here[0] += change * x
-            here[1] += change * y
-            if there is not None:
-                there[0] -= change * x
-                there[1] -= change * y
-        if worst <= _NEARLY * min(map(abs, lengths)):
+            change = max(-pressures[k], missing)
+            if change:
+                pressures[k] += change
+                here[0] += change * x
+                here[1] += change * y
+                if there is not here:
+                    there[0] -= change * x
+                    there[1] -= change * y
+        if worst <= enough:
             break
+    step = Fraction(10) ** find_magnitude(nearly)
     return {
-        k: Point(_round(Fraction(x) * unit), _round(Fraction(y) * unit))
+        k: Point(*(round(Fraction(c) * unit / step) * step for c in (x, y)))
         for k, (x, y) in at.items()
         if x or y
     }
@@ -181,12 +242,3 @@ def _move_one_by_one(judgement: Judgement) -> dict[int, Point]:
                 moves[k] = move
                 break
     return moves
-
-
-def _round(value: Fraction) -> Fraction:
-    """Round a number to a few digits, away from 0."""
-    if not value:
-        return value
-    unit = Fraction(10) ** (find_magnitude(abs(value)) - _DIGITS)
-    whole = -(-abs(value) // unit) * unit
-    return whole if value > 0 else -whole

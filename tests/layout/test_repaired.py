@@ -54,6 +54,23 @@ def test_rounding_noise_is_repaired(size: str, gaps: dict[str, str]) -> None:
         assert new.move == Point(old.move.x + x, old.move.y + y)
 
 
+@pytest.mark.parametrize("size", ["1e-12", "1e-3"])
+def test_rounding_noise_in_long_rows_is_repaired_within_a_few_rounds(size: str) -> None:
+    rng, noise = Random(size), Fraction(size)
+    placements = [
+        put(rng.choice("te"), tuple(Fraction(c) + noise * rng.randrange(-50, 51) / 50 for c in at))
+        for at in ((4 * i, 3 * j) for i in range(10) for j in range(10))
+    ]
+    room = 20 * noise
+    container = box(-room, -room, 40 + room, 30 + room)
+    judgement = judge_layout(lay(container, {"t": TILE, "e": ELL}, *placements))
+    assert len(judgement.faults) > 50
+    repaired = repair_layout(judgement)
+    assert repaired is not None
+    assert judge_layout(repaired.layout).valid
+    assert repaired.longest_squared <= (10 * noise) ** 2
+
+
 def test_a_valid_layout_stays() -> None:
     layout = lay(box(0, 0, 9, 9), {"t": TILE}, put("t"))
     repaired = repair_layout(judge_layout(layout))
