@@ -165,7 +165,7 @@ def batch_command(
         ) from None
     text = f"{count(summary.pairs, 'pair')}, {summary.refused} refused"
     if summary.resumed:
-        text += f"; {summary.resumed} of the records existed already"
+        text += f"; {summary.resumed} records already existed"
     write(f"{text}\n", "-")
     if output.endswith(".jsonl"):
         report_limit(max(measure_file(output), FAULT * summary.refused), output)

@@ -135,7 +135,7 @@ def nfp_command(
 
 
 def _turn(part: NamedRegion, pose: Pose) -> NamedRegion:
-    name = f"{part.name} turned by {pose.name}"
+    name = f"{part.name} rotated by {pose.name}"
     return part._replace(name=name, region=pose.place(part.region))
 
 

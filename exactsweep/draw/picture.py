@@ -123,7 +123,7 @@ class Picture:
         self.axes.plot(xs, ys, label=self._once(label), **look.as_line)
 
     def text(self, at: Vertex, words: str, *, color: str = "black") -> None:
-        """Write a text above and to the right of a point."""
+        """Write text above and to the right of a point."""
         self.axes.annotate(
             words, self.scale.place(at), (4, 4), textcoords="offset points", color=color, zorder=8
         )

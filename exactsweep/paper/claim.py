@@ -128,9 +128,9 @@ class Finding(NamedTuple):
         if evidence.failure:
             return evidence.failure
         if objected and not evidence.cases:
-            return "no counterexample to the statement as printed was found"
+            return "no counterexample to the printed statement was found"
         if not objected and evidence.cases:
-            return f"the statement as printed fails: {evidence.cases[0].text}"
+            return f"the printed statement fails: {evidence.cases[0].text}"
         named = {kind for kind in self.claim.evidence if kind not in ("case", "cited")}
         if amiss := sorted(named ^ self._kinds):
             return f"announced and found evidence differ in: {amiss}"

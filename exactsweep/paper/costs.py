@@ -110,7 +110,7 @@ _BOTH: dict[str, tuple[Procedure, Procedure]] = {
     "SweepI_CM": (lambda c: kernel.sweep_inner_cm(*c[::2]), kernel.find_inner),
     "SweepO_CM": (lambda c: kernel.sweep_outer_cm(*c), kernel.find_outer),
     "Trajectory_MM": (lambda c: kernel.trajectory_mm(*c[::2]), kernel.find_trajectory),
-    "Trajectory_MM to the letter": (kernel.merge_sub_trajectories, kernel.find_trajectory),
+    "Trajectory_MM as printed": (kernel.merge_sub_trajectories, kernel.find_trajectory),
     "Sweep_MM, outer loop": (lambda c: kernel.sweep_mm(*c)[1], kernel.find_outer),
     "Sweep_MM, inner loop": (lambda c: kernel.sweep_mm(*c)[0], kernel.find_inner),
 }
@@ -164,7 +164,8 @@ def compare_outputs(procedure: str, effort: Effort) -> Iterator[Observation]:
 def measure_costs(row: str, effort: Effort) -> Iterator[Observation]:
     """Count and measure everything that the bounds in a ledger row cover."""
     without = " A quick run skips seconds and large sizes." if effort.quick else ""
-    yield Evidence(f"Operations, bytes and seconds over doubling sizes, outputs compared.{without}")
+    measured = "Operations, bytes and seconds are measured over doubling sizes"
+    yield Evidence(f"{measured}, and outputs are compared.{without}")
     for cost in COSTS:
         if cost.row == row:
             yield from cost.compare()

@@ -110,7 +110,7 @@ def describe_difference(
     found, expected = keep_corners(found), keep_corners(expected)
     if found == expected:
         return ""
-    return f"{name} is {write_chain(found)}, and {write_chain(expected)} {by}"
+    return f"{name} is {write_chain(found)}, but {write_chain(expected)} {by}"
 
 
 def compare_boundaries(pair: SweepPair, **loops: Iterable[Vertex]) -> Iterator[str]:

@@ -96,7 +96,7 @@ def loops_are_retraced(pair: SweepPair) -> Iterator[str]:
     yield from compare_boundaries(pair, inner=clip_to(inner, pair.chains.directrix), outer=outer)
 
 
-def inner_to_the_letter(pair: SweepPair) -> Iterator[str]:
+def inner_as_printed(pair: SweepPair) -> Iterator[str]:
     """Report that Trajectory_MM along the inside of T does not return the inner boundary."""
     inner = keep_corners(find_inner(pair.chains))
     expected = look_up_bottom(pair, "inner")
