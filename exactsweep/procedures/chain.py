@@ -19,9 +19,8 @@ from math import gcd, inf, lcm
 from typing import NamedTuple, TypeVar
 
 from exactsweep.numbers.error import ExactSweepError
-from exactsweep.numbers.number import Rational, Vertex, ratio
+from exactsweep.numbers.number import Edge, Rational, Vertex, ratio
 
-T = TypeVar("T")
 V = TypeVar("V", bound=tuple[Rational, Rational, Rational])
 
 Break = tuple[int, int]
@@ -72,7 +71,12 @@ class Chain:
     @cached_property
     def lines(self) -> list[Line]:
         """The lines of the edges, with coprime numbers; dx = 0 if vertical."""
-        return [find_line(p, q) for p, q in pairwise(self.vertices)]
+        found: list[Line] = []
+        for (px, py, pw), (qx, qy, qw) in pairwise(self.vertices):
+            dx, dy, c = qx * pw - px * qw, qy * pw - py * qw, py * qx - px * qy
+            common = gcd(dx, dy, c)
+            found.append((dx // common, dy // common, c // common))
+        return found
 
     @cached_property
     def widest(self) -> int:
@@ -100,14 +104,6 @@ def scale_to_ints(x: Rational, y: Rational) -> Homogeneous:
     return int(x * w), int(y * w), w
 
 
-def find_line(p: Homogeneous, q: Homogeneous) -> Line:
-    """Return the line through two vertices, from left to right."""
-    (px, py, pw), (qx, qy, qw) = p, q
-    dx, dy, c = qx * pw - px * qw, qy * pw - py * qw, py * qx - px * qy
-    common = gcd(dx, dy, c)
-    return dx // common, dy // common, c // common
-
-
 def inverse(points: Iterable[Vertex]) -> list[Vertex]:
     """Mirror points about the origin, in the same order (Definition 5.1). Cost: O(n).
 
@@ -119,7 +115,7 @@ def inverse(points: Iterable[Vertex]) -> list[Vertex]:
     return [(-x, -y) for x, y in points]
 
 
-def reverse(edges: Iterable[tuple[T, T]]) -> list[tuple[T, T]]:
+def reverse(edges: Iterable[Edge]) -> list[Edge]:
     """Reverse every directed edge and keep the order of the edges (Definition 3.1).
 
     Laid end to end, the reversed edges of a chain are the edges of its `inverse`. Cost: O(n).
@@ -130,7 +126,7 @@ def reverse(edges: Iterable[tuple[T, T]]) -> list[tuple[T, T]]:
     return [(end, start) for start, end in edges]
 
 
-def complement(points: Sequence[T]) -> list[T]:
+def complement(points: Sequence[Vertex]) -> list[Vertex]:
     """Return a chain traversed backwards: the boundary of the other side (Definition 5.2).
 
     >>> complement([(0, 0), (1, -1), (2, 0)])
@@ -202,8 +198,7 @@ class ConvexPart(NamedTuple):
         vertices: the vertices of the whole chain.
         first: the number of the first vertex of the part.
         edges: the edges of the part, in order of slope.
-        flattest: a lower bound of all relevant edges.
-        steepest: an upper bound of all relevant edges.
+        flattest, steepest: the bounds of all relevant edges.
     """
 
     vertices: list[Homogeneous]

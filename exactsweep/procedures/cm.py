@@ -87,14 +87,16 @@ def sweep_inner_cm(generatrix: Chain, directrix: Chain, trajectory: Graph | None
     bottoms: list[list[Homogeneous]] = []
     joints = zip(pairwise(trajectory.pieces), trajectory.breaks[1:-1], strict=True)
     for (before, after), at in joints:
-        if before[4] == after[3]:
+        (*_, end), (*_, start, _) = before, after
+        if start == end:
+            # Successive edges of one subtrajectory.
             continue
         _, left = find_touched(generatrix, directrix, before, at, at)
         right, _ = find_touched(generatrix, directrix, after, at, at)
         (a, b), (u, v) = subtract(before, after), at
         x, y, w = find_point(after if a * u + b * v < 0 else before, at)
         # From the first vertex of G_t in contact on the left to the last one on the right.
-        of_g = reversed(generatrix.vertices[after[3][2] : before[4][2] + 1])
+        of_g = reversed(generatrix.vertices[start[2] : end[2] + 1])
         placed = [(x * gw - gx * w, y * gw - gy * w, w * gw) for gx, gy, gw in of_g]
         bottoms.append(
             [p for p in placed if not (precedes(p[::2], left) or precedes(right, p[::2]))]
@@ -129,9 +131,10 @@ def close(
     inner: list[Homogeneous] = []
     done = 0
     for (before, left, after, right), bottom in zip(undercuts, bottoms, strict=True):
-        inner += directrix.vertices[done : before[3][1] + 1]
+        (*_, (_, i, _), _), (*_, (_, k, _)) = before, after
+        inner += directrix.vertices[done : i + 1]
         inner += [_touch(directrix, before, left), *bottom, _touch(directrix, after, right)]
-        done = after[4][1]
+        done = k
     return Chain(take_corners(inner + directrix.vertices[done:]))
 
 

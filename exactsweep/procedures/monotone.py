@@ -125,17 +125,11 @@ class MonotoneSolution:
 
     def __init__(self, generatrix: Polygon, directrix: Polygon, direction: Vector) -> None:
         self._pair = generatrix, directrix
-        self._direction = direction
+        self.frame = Frame(direction, lcm(generatrix.lattice()[0], directrix.lattice()[0]))
         self._class: type[LowerMM] = LowerMM
         if generatrix.is_convex:
             self._class = LowerCC if directrix.is_convex else LowerCM
         self.kind = self._class.kind
-
-    @cached_property
-    def frame(self) -> Frame:
-        """The common lattice, rotated so that the direction is the X axis."""
-        g, d = self._pair
-        return Frame(self._direction, lcm(g.lattice()[0], d.lattice()[0]))
 
     @cached_property
     def generatrix(self) -> list[list[Vertex]]:
@@ -164,7 +158,7 @@ class MonotoneSolution:
 
     def _loop(self, boundary: Callable[[LowerMM], Chain]) -> list[Point]:
         points = self.frame.leave(self._join(boundary))
-        first = 0 if self._direction == X_AXIS else points.index(min(points))
+        first = 0 if self.frame.direction == X_AXIS else points.index(min(points))
         return points[first:] + points[:first]
 
     @cached_property
