@@ -6,19 +6,20 @@ ambiguous.
 
 from __future__ import annotations
 
-from bisect import bisect_left, insort
 from collections import defaultdict
-from collections.abc import Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from fractions import Fraction
 from functools import partial
 from typing import NamedTuple
 
 from exactsweep.formats.candidate import Candidate
 from exactsweep.geometry.canonical import PolygonError
+from exactsweep.geometry.near import Bounds, BoxRows
 from exactsweep.geometry.overlap import contains
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.geometry.region import Region, common_lattice
 from exactsweep.numbers.error import quote
+from exactsweep.numbers.number import Vertex
 
 
 class Nested(NamedTuple):
@@ -111,13 +112,13 @@ def nest_outlines(outlines: Sequence[Candidate]) -> Nested:
             rings.append(
                 _OwnedRing(k, plain, _find_polygon(plain), None if ring is outline else own)
             )
-    tree = _Nesting([ring.polygon for ring in rings])
+    tree = _nest([ring.polygon for ring in rings])
     holes: defaultdict[int, list[int]] = defaultdict(list)
     exteriors: list[int] = []
     ambiguous, islands = [], []
     # For each group of equal rings, the depth just inside, and the polygons whose holes are there.
     inside: dict[int, tuple[int, list[int]]] = {}
-    for group in tree.groups():
+    for group in tree.groups:
         first = group[0]
         owners = {i: owner for i in group if (owner := rings[i].owner) is not None}
         others = [i for i in group if i not in owners]
@@ -200,84 +201,67 @@ def _find_polygon(ring: Candidate) -> Polygon | None:
         return None
 
 
-class _Nesting:
-    """Polygons by the rings around them.
+class _Nesting(NamedTuple):
+    """Polygons by the rings around them; the first of equal ones stands for all.
 
     Attributes:
-        parents: for each ring the innermost ring around it, or None.
-        crossings: two crossing rings, for each ring inside both.
+        parents: for each the innermost one around it, or None.
+        crossings: two crossing ones, for each inside both.
+        groups: equal ones, the largest first.
     """
 
-    def __init__(self, rings: Sequence[Polygon | None]) -> None:
-        sound = [(k, ring, ring.bounding_box) for k, ring in enumerate(rings) if ring is not None]
-        self.parents: dict[int, int | None] = {}
-        self.crossings: dict[int, tuple[int, int]] = {}
-        self._sizes = {k: (ring.area, k) for k, ring, _ in sound}
-        self._polygons = {k: ring for k, ring, _ in sound}
-        self._boxes = {k: box for k, _, box in sound}
-        # Of equal rings the first one stands for all.
-        self._first = {k: k for k in self._sizes}
-        # Larger rings whose boxes meet that of a ring, but that are not around it.
-        self._rivals: dict[int, list[int]] = {}
-        self._active: list[tuple[Fraction, int]] = []
-        # From left to right, so that a ring comes after those around it.
-        for k, _, box in sorted(sound, key=lambda one: (one[2][0].x, -one[1].area, one[0])):
-            self._add(k, box[0].x)
-
-    def _add(self, k: int, left: Fraction) -> None:
-        """Find the rings around one, the smallest first; drop those that end left of it."""
-        active, size = self._active, self._sizes[k]
-        place = bisect_left(active, (size[0], -1))
-        rivals, parent = [], None
-        while place < len(active):
-            _, j = active[place]
-            if self._boxes[j][1].x <= left:
-                del active[place]
-                continue
-            if self._is_around(j, k):
-                if self._sizes[j][0] == size[0]:
-                    self._first[k] = j
-                    return
-                parent = j
-                break
-            if self._meet(j, k):
-                rivals.append(j)
-            place += 1
-        if parent is not None:
-            near = [j for j in self._rivals[parent] if self._meet(j, k)]
-            crossing = next((j for j in near if self._is_around(j, k)), None)
-            if crossing is not None:
-                self.crossings[k] = parent, crossing
-            elif parent in self.crossings:
-                self.crossings[k] = self.crossings[parent]
-            rivals += near
-        self.parents[k], self._rivals[k] = parent, rivals
-        for _, j in active[: bisect_left(active, size)]:
-            if self._meet(j, k):
-                self._rivals[j].append(k)
-        insort(active, size)
-
-    def _meet(self, j: int, k: int) -> bool:
-        (left, low), (right, high) = self._boxes[j]
-        (west, south), (east, north) = self._boxes[k]
-        return left < east and west < right and low < north and south < high
-
-    def _is_around(self, j: int, k: int) -> bool:
-        (left, low), (right, high) = self._boxes[j]
-        (west, south), (east, north) = self._boxes[k]
-        if left > west or right < east or low > south or high < north:
-            return False
-        return is_within(self._polygons[k], self._polygons[j])
-
-    def groups(self) -> list[list[int]]:
-        """Return the groups of equal rings, the largest rings first."""
-        groups: defaultdict[int, list[int]] = defaultdict(list)
-        for k, first in self._first.items():
-            groups[first].append(k)
-        return sorted(groups.values(), key=lambda group: (-self._sizes[group[0]][0], group))
+    parents: dict[int, int | None]
+    crossings: dict[int, tuple[int, int]]
+    groups: list[list[int]]
 
 
-def is_within(inner: Polygon, outer: Polygon) -> bool:
-    """Decide whether a polygon lies inside another one, whose boundary it may touch."""
-    _, (around, within) = common_lattice([outer, inner])
-    return contains([around], [within])
+def _nest(rings: Sequence[Polygon | None]) -> _Nesting:
+    polygons = {k: ring for k, ring in enumerate(rings) if ring is not None}
+    order = sorted(polygons, key=lambda k: (-polygons[k].area, k))
+    _, points = common_lattice([polygons[k] for k in order])
+    shapes = dict(zip(order, points, strict=True))
+    boxes = [_bound(ring) for ring in points]
+    rows = BoxRows(boxes)
+    parents: dict[int, int | None] = {}
+    crossings: dict[int, tuple[int, int]] = {}
+    groups: dict[int, list[int]] = {}
+    for place, k in enumerate(order):
+        # From the smallest to the largest, without those known to be around the first one.
+        chain: set[int] = set()
+        around: list[int] = []
+        for i in sorted((i for i in rows.find(boxes[place]) if i < place), reverse=True):
+            j = order[i]
+            is_new = j in groups and j not in chain and _holds(boxes[i], boxes[place])
+            if is_new and contains([shapes[j]], [shapes[k]]):
+                around.append(j)
+                if len(around) > 1 or polygons[j].area == polygons[k].area:
+                    break
+                chain = {*_list_parents(j, parents)}
+        parent = around[0] if around else None
+        if parent is not None and polygons[parent].area == polygons[k].area:
+            groups[parent].append(k)
+            continue
+        groups[k], parents[k] = [k], parent
+        if parent in crossings:
+            crossings[k] = crossings[parent]
+        elif len(around) > 1:
+            crossings[k] = around[0], around[1]
+    return _Nesting(parents, crossings, [*groups.values()])
+
+
+def _list_parents(k: int, parents: Mapping[int, int | None]) -> Iterator[int]:
+    parent = parents[k]
+    while parent is not None:
+        yield parent
+        parent = parents[parent]
+
+
+def _bound(ring: Sequence[Vertex]) -> Bounds:
+    xs, ys = zip(*ring, strict=True)
+    return min(xs), max(xs), min(ys), max(ys)
+
+
+def _holds(outer: Bounds, inner: Bounds) -> bool:
+    left, right, low, high = outer
+    west, east, south, north = inner
+    return left <= west and east <= right and low <= south and north <= high
