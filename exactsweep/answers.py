@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from exactsweep.evidence.no_fit import InnerFitAnswer, NoFitAnswer
 from exactsweep.evidence.sweep import SweepAnswer
@@ -58,7 +58,33 @@ class Sweep(SweepAnswer):
         return show_sweep(self)
 
 
-class NoFitPolygon(NoFitAnswer):
+class _Shown:
+    """Plots and notebook output of positions."""
+
+    def plot(
+        self: Any,
+        axes: Axes | None = None,
+        *,
+        positions: Iterable[Iterable[object]] | None = None,
+        y_down: bool = False,
+    ) -> Axes:
+        """Draw the positions with matplotlib; see `exactsweep.draw.plot_positions`."""
+        from exactsweep.draw import plot_positions
+
+        return plot_positions(self, axes, positions=positions, y_down=y_down)
+
+    def _repr_svg_(self: Any) -> str:
+        from exactsweep.draw.notebook import draw_positions
+
+        return draw_positions(self)
+
+    def _repr_html_(self: Any) -> str:
+        from exactsweep.draw.notebook import show_positions
+
+        return show_positions(self)
+
+
+class NoFitPolygon(_Shown, NoFitAnswer):
     """The positions where an orbiting polygon overlaps a stationary one; made by `no_fit_polygon`.
 
     Each property is computed on first access.
@@ -70,24 +96,8 @@ class NoFitPolygon(NoFitAnswer):
         kind: "CC", "CM" or "MM" if the paper's procedures apply, else "SS".
     """
 
-    def plot(
-        self,
-        axes: Axes | None = None,
-        *,
-        positions: Iterable[Iterable[object]] | None = None,
-        y_down: bool = False,
-    ) -> Axes:
-        """Draw the positions with matplotlib; see `exactsweep.draw.plot_positions`."""
-        return _plot(self, axes, positions, y_down=y_down)
 
-    def _repr_svg_(self) -> str:
-        return _draw(self)
-
-    def _repr_html_(self) -> str:
-        return _show(self)
-
-
-class InnerFit(InnerFitAnswer):
+class InnerFit(_Shown, InnerFitAnswer):
     """The positions of a part inside a container, free of placed shapes if there are any.
 
     `inner_fit_polygon` and `free_positions` return it. It is true if there is any position.
@@ -99,43 +109,3 @@ class InnerFit(InnerFitAnswer):
         placed: the Regions that the part must not overlap.
         attached: the Regions that move with the part.
     """
-
-    def plot(
-        self,
-        axes: Axes | None = None,
-        *,
-        positions: Iterable[Iterable[object]] | None = None,
-        y_down: bool = False,
-    ) -> Axes:
-        """Draw the positions with matplotlib; see `exactsweep.draw.plot_positions`."""
-        return _plot(self, axes, positions, y_down=y_down)
-
-    def _repr_svg_(self) -> str:
-        return _draw(self)
-
-    def _repr_html_(self) -> str:
-        return _show(self)
-
-
-def _plot(
-    found: NoFitAnswer | InnerFitAnswer,
-    axes: Axes | None,
-    positions: Iterable[Iterable[object]] | None,
-    *,
-    y_down: bool,
-) -> Axes:
-    from exactsweep.draw import plot_positions
-
-    return plot_positions(found, axes, positions=positions, y_down=y_down)
-
-
-def _draw(found: NoFitAnswer | InnerFitAnswer) -> str:
-    from exactsweep.draw.notebook import draw_positions
-
-    return draw_positions(found)
-
-
-def _show(found: NoFitAnswer | InnerFitAnswer) -> str:
-    from exactsweep.draw.notebook import show_positions
-
-    return show_positions(found)

@@ -55,11 +55,6 @@ class Directions:
         k = self._last_up_to(direction)
         return self.at[k] if self.critical[k] == reduce_direction(direction) else self.after[k]
 
-    def strict(self, direction: Vector) -> bool:
-        """Decide whether strictly monotone. Cost: O(log n)."""
-        k = self._last_up_to(direction)
-        return self.critical[k] != reduce_direction(direction) and self.after[k]
-
     def __bool__(self) -> bool:
         return any(self.at)
 
@@ -176,8 +171,8 @@ def find_monotone_directions(polygon: Polygon) -> Directions:
     polygon is monotone where there are two. Cost: O(n log n).
 
     >>> square = find_monotone_directions(Polygon([(0, 0), (1, 0), (1, 1), (0, 1)]))
-    >>> (1, 0) in square, square.strict((1, 0)), square.strict((2, 1))
-    (True, False, True)
+    >>> (1, 0) in square, square.after
+    (True, (True, True))
     """
     found: Directions | None = polygon._directions
     if found is None:

@@ -15,10 +15,12 @@ from __future__ import annotations
 from collections.abc import Sequence
 from fractions import Fraction
 from heapq import heappop, heappush
+from itertools import product
 from typing import NamedTuple
 
 from exactsweep.geometry.edges import Rings, is_inside, touch
 from exactsweep.geometry.region import Region, Vertices, share_lattice, to_region
+from exactsweep.geometry.vectors import orientation
 from exactsweep.numbers.error import tells_arguments
 from exactsweep.numbers.number import Edge, Point, Rational, Vertex
 
@@ -57,13 +59,11 @@ def distance_squared(a: Region | Vertices, b: Region | Vertices) -> SquaredDista
         (Fraction(1, 2), Point(x=Fraction(3, 2), y=Fraction(3, 2)))
     """
     scale, (first, second) = share_lattice([to_region(a, "a"), to_region(b, "b")])
-    found = find_nearest(EdgeTree(first), EdgeTree(second))
-    assert found is not None
-    value, (p, q) = found
+    value, (p, q) = _find_nearest(_EdgeTree(first), _EdgeTree(second))
     return SquaredDistance(value / scale**2, (_leave(p, scale), _leave(q, scale)))
 
 
-class EdgeTree:
+class _EdgeTree:
     """The edges of a bounded shape, interior on the left, in a binary tree of boxes.
 
     `levels` lists boxes (left, right, low, high), first those of the edges. Each box of a later
@@ -85,26 +85,16 @@ class EdgeTree:
             self.levels.append(boxes)
 
 
-def find_nearest(
-    first: EdgeTree, second: EdgeTree, below: Rational | None = None
-) -> SquaredDistance | None:
-    """Find two nearest points of two shapes on one lattice.
-
-    Returns None if the squared distance is not below the bound `below`, where the search ends.
-    Cost: as for `distance_squared`.
-    """
+def _find_nearest(first: _EdgeTree, second: _EdgeTree) -> SquaredDistance:
+    """Find two nearest points of two shapes on one lattice."""
     common = _find_vertex_inside(first, second)
     if common is not None:
-        return None if below == 0 else SquaredDistance(Fraction(0), (common, common))
-    best: _NearestRatio | None = None if below is None else (below, 1)
-    nearest: tuple[Edge, Edge] | None = None
+        return SquaredDistance(Fraction(0), (common, common))
+    best: _NearestRatio | None = None
     up, over = len(first.levels) - 1, len(second.levels) - 1
-    apart = _measure_boxes(first.levels[up][0], second.levels[over][0])
-    heap = [(apart, up, 0, over, 0)]
-    while heap:
+    heap = [(_measure_boxes(first.levels[up][0], second.levels[over][0]), up, 0, over, 0)]
+    while heap and (best is None or heap[0][0] * best[1] < best[0]):
         apart, up, i, over, j = heappop(heap)
-        if best is not None and apart * best[1] >= best[0]:
-            break
         if up == over == 0:
             edges = first.edges[i], second.edges[j]
             if apart == 0 and (point := _find_common_point(*edges)) is not None:
@@ -117,18 +107,14 @@ def find_nearest(
         lower, across = (up - 1, over) if up >= over else (up, over - 1)
         mine = range(2 * i, min(2 * i + 2, len(first.levels[lower]))) if lower < up else (i,)
         theirs = range(2 * j, min(2 * j + 2, len(second.levels[across]))) if lower == up else (j,)
-        for k in mine:
-            for h in theirs:
-                apart = _measure_boxes(first.levels[lower][k], second.levels[across][h])
-                if best is None or apart * best[1] < best[0]:
-                    heappush(heap, (apart, lower, k, across, h))
-    if nearest is None:
-        return None
+        for k, h in product(mine, theirs):
+            apart = _measure_boxes(first.levels[lower][k], second.levels[across][h])
+            heappush(heap, (apart, lower, k, across, h))
     assert best is not None
     return SquaredDistance(Fraction(*best), find_nearest_ends(*nearest))
 
 
-def _find_vertex_inside(first: EdgeTree, second: EdgeTree) -> Point | None:
+def _find_vertex_inside(first: _EdgeTree, second: _EdgeTree) -> Point | None:
     """Find a vertex of one exterior that is an inner point of the other shape."""
     for one, other in ((first, second), (second, first)):
         x, y = one.rings[0][0]
@@ -159,9 +145,8 @@ def _find_common_point(edge: Edge, other: Edge) -> Point | None:
     if shared == []:
         return None
     if shared is None:
-        (ax, ay), (bx, by), (px, py), (qx, qy) = a, b, p, q
-        of_a = (qx - px) * (ay - py) - (qy - py) * (ax - px)
-        of_b = (qx - px) * (by - py) - (qy - py) * (bx - px)
+        (ax, ay), (bx, by) = a, b
+        of_a, of_b = orientation(p, q, a), orientation(p, q, b)
         if of_a != of_b:
             along = Fraction(of_a, of_a - of_b)
             return Point(ax + along * (bx - ax), ay + along * (by - ay))

@@ -191,11 +191,11 @@ def reduce_lattice(scale: int, points: tuple[Vertex, ...]) -> tuple[int, tuple[V
     return scale // common, tuple((x // common, y // common) for x, y in points)
 
 
-def lcm_within(denominators: Iterable[int]) -> int | None:
+def lcm_within(denominators: Iterable[int], bits: int = _LATTICE_BITS) -> int | None:
     """Return the least common multiple, or None if it has more bits than a scale may have."""
     scale = 1
     for denominator in denominators:
         scale = lcm(scale, denominator)
-        if scale.bit_length() > _LATTICE_BITS:
+        if scale.bit_length() > bits:
             return None
     return scale

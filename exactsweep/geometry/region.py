@@ -18,7 +18,7 @@ from exactsweep.geometry.reading import lcm_within, read_interface, refuse_numbe
 from exactsweep.numbers.addition import add_up
 from exactsweep.numbers.digits import abridge
 from exactsweep.numbers.error import name_refusals
-from exactsweep.numbers.number import Area, Point, Vertex, ratio
+from exactsweep.numbers.number import Area, Point, Rational, Vertex, ratio
 from exactsweep.words import write_pair
 
 Vertices = Polygon | Iterable[Iterable[object]]
@@ -226,8 +226,8 @@ def to_regions(shapes: Iterable[Region | Vertices], name: str) -> tuple[Region, 
     return tuple(to_region(shape, f"{name} shape {k}") for k, shape in enumerate(shapes))
 
 
-_WIDE, _LONG = 64, 1024
-"""The most bits of a useful scale: if most vertices are on another lattice, and otherwise."""
+_LONG = 1024
+"""The most bits of the scale of a lattice that regions share."""
 
 
 def common_lattice(
@@ -247,32 +247,22 @@ def common_lattice(
     ]
 
 
-def share_lattice(
-    regions: Sequence[Region], scale: int | None = None
-) -> tuple[int, list[list[list[Vertex]]]]:
+def share_lattice(regions: Sequence[Region]) -> tuple[int, list[list[list[Vertex]]]]:
     """Put regions on the coarsest integer lattice that holds them all.
 
     Returns the scale, and the rings of each region times the scale, with the interior on the left.
-    If the scale had more than 1024 bits, all numbers would be longer than any vertex. Then the
-    result has the given `scale` of a lattice with most vertices, or 1; other vertices are
-    Fractions.
+    If the scale had more than 1024 bits, all numbers would be longer than any vertex. Then it is 1,
+    and vertices off that lattice are Fractions.
     """
     lattices = [region.lattice() for region in regions]
-    common = lcm_within(own for own, _ in lattices)
-    if common is None or common.bit_length() > (_LONG if scale is None else _WIDE):
-        return scale or 1, [_scale_rings(region, scale or 1) for region in regions]
-    return common, [
-        [[(x * (common // own), y * (common // own)) for x, y in ring] for ring in rings]
+    scale = lcm_within((own for own, _ in lattices), _LONG)
+
+    def place(coordinate: Rational, own: int) -> Rational:
+        return coordinate * (scale // own) if scale else ratio(coordinate, own)
+
+    return scale or 1, [
+        [[(place(x, own), place(y, own)) for x, y in ring] for ring in rings]
         for own, rings in lattices
-    ]
-
-
-def _scale_rings(region: Region, scale: int) -> list[list[Vertex]]:
-    """Multiply rings by a scale; interior on the left, ints for vertices on the lattice."""
-    exterior, *holes = region.rings
-    return [
-        [(ratio(x * scale, 1), ratio(y * scale, 1)) for x, y in ring]
-        for ring in (exterior, *((hole[0], *hole[:0:-1]) for hole in holes))
     ]
 
 

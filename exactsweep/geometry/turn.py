@@ -141,15 +141,6 @@ def find_rational_turn(degrees: Fraction, bits: int) -> RationalTurn:
     return RationalTurn(*from_half_tangent(Fraction(p, q), quarter), 2 * off)
 
 
-def find_unit_point(degrees: Fraction, allowed: Fraction) -> Point:
-    """Find a rational point of the unit circle within `allowed` of the point at an angle.
-
-    Its half tangent is a decimal.
-    """
-    quarter, rest = divmod(degrees % 360, 90)
-    return from_half_tangent(_round_half_tangent(rest, allowed / 2) if rest else _ZERO, quarter)
-
-
 def from_half_tangent(t: Fraction, quarters: int = 0) -> Point:
     """Return the point on the unit circle with half-angle tangent t, rotated by quarter turns.
 
@@ -160,17 +151,6 @@ def from_half_tangent(t: Fraction, quarters: int = 0) -> Point:
     for _ in range(quarters):
         c, s = -s, c
     return Point(c, s)
-
-
-def _round_half_tangent(degrees: Fraction, allowed: Fraction) -> Fraction:
-    """Find a decimal within the allowed distance of the tangent of half the angle."""
-    digits = 3
-    while allowed * 10**digits < 4:
-        digits += 1
-    low, high = bound_half_tangent(degrees, 4 * digits)
-    found = round((low + high) / 2, digits)
-    assert max(high - found, found - low) <= allowed
-    return found
 
 
 def bound_half_tangent(degrees: Fraction, bits: int) -> tuple[Fraction, Fraction]:

@@ -12,7 +12,6 @@ from typing import NamedTuple
 
 from exactsweep.numbers.digits import abridge, format_rounded, read_ratio, write_int
 from exactsweep.numbers.error import NumberError, quote
-from exactsweep.numbers.limits import get_max_digits, limits
 
 _new = object.__new__
 
@@ -197,16 +196,3 @@ def _from_real(value: float | numbers.Real) -> Fraction:
     if binary != value:
         raise NumberError(f"{quote(value)} has no exact value as a float; give it as a fraction")
     return exact
-
-
-def read_any_length(text: str) -> Fraction:
-    """Read the output of `format_fraction`, of any length; the caller has checked the length.
-
-    Example:
-        >>> read_any_length("1" + "0" * 200_000) == 10**200_000
-        True
-    """
-    if len(text) <= get_max_digits():
-        return to_fraction(text)
-    with limits(max_digits=len(text)):
-        return to_fraction(text)

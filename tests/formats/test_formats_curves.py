@@ -19,7 +19,7 @@ from tiers import examples
 from exactsweep import limits
 from exactsweep.formats import FormatError, parse_polygon, parse_polygons
 from exactsweep.formats.curved.affine import IDENTITY, Affine, make_affine
-from exactsweep.formats.curved.arc import make_arc
+from exactsweep.formats.curved.arc import find_unit_point, make_arc
 from exactsweep.formats.curved.curves import (
     Bezier,
     Curve,
@@ -33,7 +33,6 @@ from exactsweep.formats.curved.spline import Spline
 from exactsweep.formats.curved.svg_path import make_elliptic_arc
 from exactsweep.formats.reading import Reading
 from exactsweep.formats.size import VERTEX
-from exactsweep.geometry.turn import find_unit_point
 from exactsweep.numbers.number import Point
 
 fewer = examples(25)

@@ -6,14 +6,12 @@ from itertools import product
 import pytest
 from cells import Holed
 from hypothesis import given
-from hypothesis import strategies as st
 from shapes import shape_pairs
 from strategies import points, translations
 from tiers import examples
 
 from exactsweep import Point, PolygonError, Region, distance_squared
 from exactsweep.check import classify, point_in_polygon
-from exactsweep.geometry.distance import EdgeTree, find_nearest
 
 SQUARE = [(0, 0), (1, 0), (1, 1), (0, 1)]
 
@@ -61,22 +59,6 @@ def test_the_distance_is_the_least_over_pairs_of_edges(
     assert distance_squared(other, one).value == value
 
 
-@examples(20)
-@given(shape_pairs(), translations(), st.fractions(0, 40, max_denominator=3))
-def test_a_bound_excludes_greater_distances(
-    pair: tuple[Holed, Holed], by: tuple[Fraction, Fraction], below: Fraction
-) -> None:
-    one, other = region(pair[0]), region(pair[1]).translated(by)
-    trees = EdgeTree(_clockwise(one)), EdgeTree(_clockwise(other))
-    found, whole = find_nearest(*trees, below), find_nearest(*trees)
-    assert whole is not None
-    assert found == (whole if whole.value < below else None)
-
-
-def _clockwise(shape: Region) -> list[list[Point]]:
-    return [list(shape.rings[0]), *(list(ring[::-1]) for ring in shape.rings[1:])]
-
-
 @pytest.mark.parametrize(
     ("other", "value", "nearest"),
     [
@@ -107,9 +89,6 @@ def test_known_distances(
     p, q = found.points
     assert squared(p, q) == value
     assert point_in_polygon(p, Region(SQUARE)) >= 0 <= point_in_polygon(q, Region(other))
-    trees = EdgeTree(_clockwise(Region(SQUARE))), EdgeTree(_clockwise(Region(other)))
-    assert find_nearest(*trees, value) is None
-    assert find_nearest(*trees, value + 1) == found
 
 
 def test_a_shape_in_a_hole_does_not_meet_the_shape_around_it() -> None:

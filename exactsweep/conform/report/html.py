@@ -29,9 +29,9 @@ from exactsweep.conform.run.outcome import Outcome, list_witnesses
 from exactsweep.conform.run.peer import replace_controls
 from exactsweep.conform.run.protocol import list_reflected_rings
 from exactsweep.conform.run.run import SHOWN, Run
-from exactsweep.conform.run.tally import fails
+from exactsweep.conform.run.tally import fails, read_any_length
 from exactsweep.corpus import Case, case_from_json
-from exactsweep.numbers.number import Loop, Point, read_any_length
+from exactsweep.numbers.number import Loop, Point
 from exactsweep.text.report import approximate, take_root
 from exactsweep.text.template import make_environment
 

@@ -9,7 +9,8 @@ from fractions import Fraction
 from exactsweep.conform.judge.verdict import Verdict
 from exactsweep.conform.run.outcome import Outcome
 from exactsweep.corpus.case import KINDS
-from exactsweep.numbers.number import read_any_length
+from exactsweep.numbers.limits import get_max_digits, limits
+from exactsweep.numbers.number import to_fraction
 
 ALL = "all"
 
@@ -104,3 +105,16 @@ def fails(verdict: Verdict, accepted: Verdict) -> bool:
     (True, False)
     """
     return verdict.is_judgement and verdict.severity > accepted.severity
+
+
+def read_any_length(text: str) -> Fraction:
+    """Read the output of `format_fraction`, of any length; the caller has checked the length.
+
+    Example:
+        >>> read_any_length("1" + "0" * 200_000) == 10**200_000
+        True
+    """
+    if len(text) <= get_max_digits():
+        return to_fraction(text)
+    with limits(max_digits=len(text)):
+        return to_fraction(text)

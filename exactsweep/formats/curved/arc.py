@@ -14,7 +14,7 @@ from exactsweep.formats.curved.affine import Affine, make_affine
 from exactsweep.formats.curved.curves import Arc
 from exactsweep.formats.curved.path import Path
 from exactsweep.formats.error import FormatError
-from exactsweep.geometry.turn import find_unit_point
+from exactsweep.geometry.turn import bound_half_tangent, from_half_tangent
 from exactsweep.numbers.number import Point
 
 _DIGITS, _ROOM = 101, 20
@@ -40,6 +40,28 @@ def make_rotation(degrees: Fraction, power: int = 1) -> Affine:
     off = _NEAR**power if degrees % 90 else Fraction(0)
     c, s = find_unit_point(degrees, off)
     return make_affine(c, s, -s, c, 0, 0)._replace(off=off)
+
+
+def find_unit_point(degrees: Fraction, allowed: Fraction) -> Point:
+    """Find a rational point of the unit circle within `allowed` of the point at an angle.
+
+    Its half tangent is a decimal.
+    """
+    quarter, rest = divmod(degrees % 360, 90)
+    return from_half_tangent(
+        _round_half_tangent(rest, allowed / 2) if rest else Fraction(0), quarter
+    )
+
+
+def _round_half_tangent(degrees: Fraction, allowed: Fraction) -> Fraction:
+    """Find a decimal within the allowed distance of the tangent of half the angle."""
+    digits = 3
+    while allowed * 10**digits < 4:
+        digits += 1
+    low, high = bound_half_tangent(degrees, 4 * digits)
+    found = round((low + high) / 2, digits)
+    assert max(high - found, found - low) <= allowed
+    return found
 
 
 def to_degrees(radians: Fraction) -> Fraction:
