@@ -6,13 +6,14 @@ module B = Big_int_Z
 let scan = ref (Scanf.Scanning.from_string "")
 let token () = Scanf.bscanf !scan " %s" Fun.id
 let integer () = B.big_int_of_string (token ())
-let nat () = int_of_string (token ())
+let positive s = let n = B.big_int_of_string s in if B.sign_big_int n > 0 then n else failwith "not positive"
+let nat () = let n = int_of_string (token ()) in if n >= 0 then n else failwith "negative"
 let list f = List.init (nat ()) (fun _ -> f ())      (* List.init goes from the first on *)
 let option f = if nat () = 1 then Some (f ()) else None
 let pair f g = let a = f () in let b = g () in (a, b)
 let rational () =
   match String.split_on_char '/' (token ()) with
-  | [n; d] -> { qnum = B.big_int_of_string n; qden = B.big_int_of_string d }
+  | [n; d] -> { qnum = B.big_int_of_string n; qden = positive d }
   | _ -> failwith "not a fraction"
 let point () = pair integer integer
 let rational_point () = pair rational rational
@@ -23,12 +24,12 @@ let sums () = list (fun () -> pair nat (fun () -> list (fun () -> list integer))
 let quadruple () = let a = integer () in let b = integer () in let c = integer () in let d = integer () in (((a, b), c), d)
 
 let no_fit_certificate () =
-  let unit0 = integer () in let still = list ring in let moving = list ring in let listed_sums = sums () in
+  let unit0 = positive (token ()) in let still = list ring in let moving = list ring in let listed_sums = sums () in
   { unit0; still; moving; listed_sums }
 let sweep_certificate () =
-  let unit2 = integer () in let moving0 = list ring in let listed_sums1 = sums () in { unit2; moving0; listed_sums1 }
+  let unit2 = positive (token ()) in let moving0 = list ring in let listed_sums1 = sums () in { unit2; moving0; listed_sums1 }
 let inner_fit_certificate () =
-  let unit1 = integer () in let box = quadruple () in let outside = list ring in let part0 = list ring in
+  let unit1 = positive (token ()) in let box = quadruple () in let outside = list ring in let part0 = list ring in
   let listed_sums0 = sums () in let around = list (fun () -> list integer) in
   { unit1; box; outside; part0; listed_sums0; around }
 
@@ -49,7 +50,7 @@ let layout () =
   let sheet = option figure in let obstacles = list (fun () -> pair figure rational) in let kinds = list part in let placements = list placement in
   let spacing = rational () in let margin = rational () in { sheet; obstacles; kinds; placements; spacing; margin }
 let certificate () =
-  let denominator = integer () in let part_pieces = list (fun () -> list ring) in
+  let denominator = positive (token ()) in let part_pieces = list (fun () -> list ring) in
   let kind_pieces = list (fun () -> list ring) in let obstacle_pieces = list (fun () -> list ring) in
   let outside_pieces = list ring in let frame = quadruple () in
   { denominator; part_pieces; kind_pieces; obstacle_pieces; outside_pieces; frame }
