@@ -64,7 +64,7 @@ from typing import Any, NamedTuple
 FORMAT, VERSION, HEAD = "exactsweep certificate", 3, "format version claim"
 MAX_DIGITS, MAX_STEPS, STEPS_PER_BYTE = 10**5, 10**7, 100
 NUMBER = re.compile("-?(0|[1-9][0-9]*)(/[1-9][0-9]*)?")
-DEFAULTS: Any = {"holes": [], "defects": [], "turn": "0"}
+DEFAULTS: Any = {"holes": [], "defects": [], "turn": "0", "radius": "0", "error": "0"}
 FORM, RULES = "exterior holes pieces error", "demand turns mirrored mirrored_turns"
 AXES, NOWHERE = ((1, 0), (0, 1), (-1, 0), (0, -1)), ((0, 0, 0, 0), -1, 0)
 PI = "3.1415926535897932384626433832795028841971693993751058209749445923078164062862089986280348"
@@ -139,25 +139,14 @@ def integer(name: str, item: Any, low: int, end: int) -> int:
     return int(item)
 
 
-def number(name: str, item: Any) -> Rational:
+def number(name: str, item: Any, is_signed: bool = True) -> Rational:
     """Read a rational in lowest terms."""
     right = type(item) is str and len(item) <= MAX_DIGITS and NUMBER.fullmatch(item)
     need(right and item != "-0", f"{name}: not a number in a string, such as -3 or 5/7")
     n, m = (int(Decimal(part)) for part in f"{item}/1".split("/")[:2])  # int takes 4,300 digits
     need("/" not in item or gcd(n, m) == 1 < m, f"{name}: not in lowest terms")
+    need(is_signed or n >= 0, f"{name}: below 0")
     return n if m == 1 else Fraction(n, m)
-
-
-def numbers(name: str, item: Any, size: int) -> list[Rational]:
-    """Read a list of numbers of a given size."""
-    return [number(name, n) for n in items(name, item, size)]
-
-
-def length(name: str, item: Any, default: Rational = 0) -> Rational:
-    """Read an optional number that is not negative."""
-    found = default if item is None else number(name, item)
-    need(found >= 0, f"{name}: below 0")
-    return found
 
 
 def node(x: Rational, y: Rational) -> Point:
@@ -168,7 +157,7 @@ def node(x: Rational, y: Rational) -> Point:
 
 def read_points(name: str, item: Any, size: int | None = None) -> Ring:
     """Read a list of points."""
-    return [node(*numbers(name, p, 2)) for p in items(name, item, size)]
+    return [node(*(number(name, n) for n in items(name, p, 2))) for p in items(name, item, size)]
 
 
 def ring(name: str, item: Any) -> Ring:
@@ -397,16 +386,14 @@ def fits(name: str, item: Any) -> list[Known]:
 
 
 class Sums:
-    """The interiors of D_i + H_j, numbered i n + j for n pieces H_j, and then half-planes.
-
-    `get`, which is `find` with a cache, returns the sides of one.
-    """
+    """The interiors of D_i + H_j, numbered i n + j for n pieces H_j, and then half-planes."""
 
     def __init__(self, name: str, d: list[Ring], h: list[Ring], work: Work, beyond: Any = ()):
         self.work, self.count, self.columns, self.beyond = work, len(d) * len(h), len(h), beyond
         self.name, self.scale = name, scale_of(chain(*d, *h))
         self.pieces, self.trees = (d, h), (index(d, self.scale), index(h, self.scale))
         self.d, self.h = ([from_lowest(e, work) for e in of] for of in (d, h))
+        # The sides of a sum, cached:
         self.get = lru_cache(10**5 // max(map(len, chain(d, h, [()]))) + 1)(self.find)
 
     def find(self, k: int) -> list[Edge]:
@@ -588,7 +575,7 @@ def inner_fit(c: Any, work: Work) -> str:
     names = f"container part regions exact_fits proof {HEAD}"
     first, second, regions, exact, proof = fields("certificate", c, names)[:5]
     ends, cut, others, listed, around = fields("proof", proof, "frame outside part sums around")
-    sides, known = numbers("frame", ends, 4), list[Known]()
+    sides, known = [number("frame", n) for n in items("frame", ends, 4)], list[Known]()
     frame = rectangle("frame", sides)
     rings = [frame, *(points[::-1] for points in shape("container", first))]
     d = solid("outside", rings, cut, work)
@@ -714,13 +701,15 @@ class Layout:
         more = "container defects spacing margin"
         parts, placed, container, defects, *gaps = fields("layout", given, "parts placements", more)
         self.work, self.valid, self.faults = work, valid, faults
-        self.spacing, margin = (length("spacing, margin", n) for n in gaps)
+        gaps = ["0" if n is None else n for n in gaps]
+        self.spacing, margin = (number("spacing, margin", n, False) for n in gaps)
         solids = [{"pieces": []} if container is None else container, *items("defects", defects)]
         cut, outside, ends = [None] * len(items("parts", parts)), [None] * len(solids), None
         if valid:
             names = "outside pieces apart"
             outside, cut, self.normals, ends = fields("proof", proof, names, "frame")
-        self.frame = [] if ends is None else [rectangle("frame", numbers("frame", ends, 4))]
+        sides = [number("frame", n) for n in items("frame", ends, 4)] if ends is not None else []
+        self.frame = [rectangle("frame", sides)] if sides else []
         self.parts = dict[str, tuple[Body, list[Any], list[Any]]]()
         for k, own in enumerate(items("pieces", cut, len(parts))):
             name = f"parts[{k}]"
@@ -733,7 +722,7 @@ class Layout:
         for k, own in reversed([*enumerate(items("outside", outside, len(solids)))]):
             name, more = (f"defects[{k - 1}]", f"{FORM} spacing") if k else ("container", FORM)
             *form, distance = [*fields(name, solids[k], "", more), None][:5]
-            far = length(f"{name}, spacing", distance, margin)
+            far = margin if distance is None else number(f"{name}, spacing", distance, False)
             self.bodies.append(self.read_body(name, form, own, far))
 
     def read_body(self, name: str, form: list[Any], cut: Any, distance: Rational) -> Body:
@@ -758,10 +747,10 @@ class Layout:
                 piece = read_points(at, points)
                 is_piece = is_convex(piece) if len(piece) > 2 else piece
                 need(is_piece, f"{at}: not convex, counter-clockwise")
-                radius = length(f"{at}, radius", radius)
-                found.append(([level(piece, self.work)], -radius if is_outside else radius))
+                length = number(f"{at}, radius", radius, False)
+                found.append(([level(piece, self.work)], -length if is_outside else length))
         need(found or is_outside, f"{name}: no pieces")
-        return Body(name, found, length(f"{name}, error", error), distance, 1 - is_outside)
+        return Body(name, found, number(f"{name}, error", error, False), distance, 1 - is_outside)
 
     def read_placement(self, name: str, item: Any, rational: Any) -> Body:
         """Read a placement; return its placed part."""
