@@ -193,3 +193,16 @@ def test_a_fault_on_a_layer_names_the_option() -> None:
 def test_points_stay_points() -> None:
     (one,) = nest_outlines(parse_candidates(write_svg(PART))).outlines
     assert all(isinstance(p, Point) for p in one.vertices())
+
+
+@pytest.mark.parametrize("name", ["sheet", "0"])
+def test_a_container_drawn_twice_is_one(name: str) -> None:
+    (found,) = parse_layouts(on_layers(layer(name, SHEET, SHEET), layer("cut", PART)))
+    assert len(found.data["parts"]) == 1
+    assert "defects" not in found.data
+    assert "skipped: 1 duplicate of the container" in found.notes
+
+
+def test_a_part_as_large_as_the_container_is_a_part() -> None:
+    (found,) = parse_layouts(on_layers(layer("sheet", SHEET), layer("cut", SHEET)))
+    assert len(found.data["parts"]) == 1

@@ -27,11 +27,13 @@ class Sheet(NamedTuple):
         container: its outline; None if there is none.
         defects: outlines that no part may overlap.
         outlines: the other outlines on it.
+        copies: further outlines equal to the container on its layer.
     """
 
     container: Candidate | None
     defects: list[Candidate]
     outlines: list[Candidate]
+    copies: list[Candidate]
 
 
 def find_sheets(outlines: Sequence[Candidate], container: str | None) -> list[Sheet]:
@@ -41,8 +43,8 @@ def find_sheets(outlines: Sequence[Candidate], container: str | None) -> list[Sh
     group; else the only one on a layer that is called sheet, bin, board, container or stock; else
     the one whose box is around all others; else those with such a name, class or layer; else the
     largest one, if it holds the centers of all other boxes. Other outlines on the layer of a
-    container that has such a name, or was given, and in a given group are defects. Names are
-    compared without case.
+    container that has such a name, or was given, and in a given group are defects, but equal
+    outlines on one layer are one container. Names are compared without case.
 
     Args:
         outlines: those of a drawing.
@@ -75,7 +77,7 @@ def find_sheets(outlines: Sequence[Candidate], container: str | None) -> list[Sh
     if not found:
         largest = max(outlines, key=size)
         others = [one for one in outlines if one is not largest]
-        ties = any(size(one) == size(largest) for one in others)
+        ties = any(size(one) == size(largest) and not _is_copy(one, largest) for one in others)
         if ties or not all(_holds(boxes[id(largest)], boxes[id(one)]) for one in others):
             raise FormatError(_list_candidates(sorted(outlines, key=size, reverse=True), boxes))
         found = [largest]
@@ -83,10 +85,13 @@ def find_sheets(outlines: Sequence[Candidate], container: str | None) -> list[Sh
     layers = {
         one.layer for one in found if one.layer and (_is_word(one.layer) or one.layer == container)
     }
-    sheets = [Sheet(one, [], []) for one in found]
+    sheets = [Sheet(one, [], [], []) for one in found]
     for one in outlines:
         if not any(one is other for other in found):
             sheet = _find_sheet(boxes[id(one)], sheets, boxes)
+            if sheet.container is not None and _is_copy(one, sheet.container):
+                sheet.copies.append(one)
+                continue
             grouped = container is not None and container.casefold() in map(
                 str.casefold, one.groups
             )
@@ -138,11 +143,16 @@ def _bound(outline: Candidate) -> _Spread:
 
 
 def _find_around(outlines: Iterable[Candidate], boxes: dict[int, _Spread]) -> Candidate | None:
-    """Find the only outline whose box is around all others."""
+    """Find the only outline, but for copies, whose box is around all others."""
     lefts, lows, rights, highs = zip(*boxes.values(), strict=True)
     whole = min(lefts), min(lows), max(rights), max(highs)
     found = [one for one in outlines if boxes[id(one)] == whole]
-    return found[0] if len(found) == 1 else None
+    return found[0] if found and all(_is_copy(one, found[0]) for one in found) else None
+
+
+def _is_copy(one: Candidate, other: Candidate) -> bool:
+    """Decide whether two outlines have one layer and the same vertices."""
+    return one.layer == other.layer and {*one.vertices()} == {*other.vertices()}
 
 
 def _meet(one: _Spread, other: _Spread) -> bool:

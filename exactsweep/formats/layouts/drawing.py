@@ -59,7 +59,9 @@ def draw_layouts(
             outlines.append(one)
     if not outlines:
         raise FormatError(plain[0].fault)
-    sheets = [Sheet(None, [], outlines)] if container is False else find_sheets(outlines, container)
+    sheets = (
+        [Sheet(None, [], outlines, [])] if container is False else find_sheets(outlines, container)
+    )
     unchecked = _list_open(plain, [one for sheet in sheets for one in sheet.outlines])
     if all(not sheet.outlines for sheet in sheets):
         raise FormatError("only one outline found; a layout needs a container and parts")
@@ -134,6 +136,8 @@ def _make_layout(sheet: Sheet, *, nested: bool) -> FoundLayout:
         notes.append(
             f"{count(len(sheet.defects), 'outline')} on the layer of the container read as defects"
         )
+    if sheet.copies:
+        notes.append(f"skipped: {count(len(sheet.copies), 'duplicate')} of the container")
     names = make_unique([_name_part(one, k) for k, one in enumerate(parts)])
     data: Data = {
         "parts": [{"id": name, **write_rings(one)} for name, one in zip(names, parts, strict=True)],
