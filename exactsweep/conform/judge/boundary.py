@@ -1,13 +1,12 @@
 """The boundary of the region that rings enclose, independent of their notation.
 
-A point belongs to the region if an odd number of edges cross a ray from it. So a segment bounds the
-region if and only if an odd number of edges cover it, in either direction:
+A segment bounds the region if and only if an odd number of edges cover it, in either direction:
 
-    (1)  two regions differ by a set without area exactly if these segments are the same;
-    (2)  segments covered by an even number of edges bound nothing: whiskers, traced in and out;
-         keyholes, which connect a ring to a hole; borders between pieces of a region.
+    (1)  two regions differ by a set without area if and only if these segments are equal;
+    (2)  segments covered by an even number of edges bound nothing: whiskers, keyholes that connect
+         a ring to a hole, and borders between pieces of a region.
 
-(1) does not depend on crossings, so only edges on the same line are compared.
+(1) does not depend on crossings, so only collinear edges are compared.
 """
 
 from __future__ import annotations
@@ -24,7 +23,7 @@ from exactsweep.geometry.vectors import angle_key, is_on_segment, minus, orienta
 from exactsweep.numbers.number import Fit, Loop, Point, PointRings, Vertex
 
 _LineKey = tuple[Fraction | None, Fraction]
-"""The slope, None for a vertical line, and the y at x = 0, or the x."""
+"""The slope and the y at x = 0; None and the x of a vertical line."""
 
 
 class RingBoundary(NamedTuple):
@@ -32,9 +31,8 @@ class RingBoundary(NamedTuple):
 
     Attributes:
         solid: the maximal segments that an odd number of edges cover.
-        through: for each of these, the vertices of the rings between its ends.
-        doubled: those that an even number of edges cover; and rings of a single point, as segments
-            with two equal ends.
+        through: for each solid segment, the vertices between its ends.
+        doubled: the maximal segments that an even number of edges cover, and rings of one point.
     """
 
     solid: tuple[Fit, ...]
@@ -43,7 +41,7 @@ class RingBoundary(NamedTuple):
 
 
 def find_boundary(rings: PointRings) -> RingBoundary:
-    """Find the boundary of the region of arbitrary rings, and the doubled segments, sorted.
+    """Find the boundary of the region of arbitrary rings, and their doubled segments, sorted.
 
     Cost: O(n log n) operations on rationals for n edges.
 
@@ -85,7 +83,7 @@ def _find_line(p: Point, q: Point) -> _LineKey:
 
 
 def _join_along_line(ends: list[tuple[Point, int]]) -> Iterator[tuple[bool, list[Point]]]:
-    """Yield the segments of a line as the points on them, and whether each is solid."""
+    """Yield whether each segment of a line is solid, and the points on it."""
     ends.sort()
     count = 0
     points: list[Point] = []
@@ -99,7 +97,7 @@ def _join_along_line(ends: list[tuple[Point, int]]) -> Iterator[tuple[bool, list
 
 
 def subtract_fits(segments: Iterable[Fit], fits: Iterable[Fit]) -> tuple[list[Fit], list[Fit]]:
-    """Split segments into the pieces on exact fits and the others; points have two equal ends."""
+    """Split segments into the pieces on exact fits and the others."""
     on: list[Fit] = []
     off: list[Fit] = []
     known = list(fits)
@@ -120,7 +118,7 @@ def are_collinear(points: Sequence[Vertex]) -> bool:
 
 
 def are_bridges(segments: Sequence[Fit], solid: Sequence[Fit]) -> bool:
-    """Decide whether doubled segments connect points of a boundary, without free ends.
+    """Decide whether doubled segments connect points of a boundary and have no free ends.
 
     Cost: O(s^2) for s segments, and O(n) for each end that is no corner, of n solid segments.
     """
@@ -140,7 +138,7 @@ def are_bridges(segments: Sequence[Fit], solid: Sequence[Fit]) -> bool:
 
 
 def trace_rings(boundary: RingBoundary) -> list[Loop]:
-    """Return a boundary as counter-clockwise rings, none of which visits a corner twice."""
+    """Trace a boundary as counter-clockwise rings, none of which visits a corner twice."""
     passed = Counter(chain.from_iterable(boundary.through))
     corners = {*chain.from_iterable(boundary.solid), *(p for p in passed if passed[p] > 1)}
     near: dict[Point, list[Point]] = {}

@@ -1,18 +1,18 @@
-"""An exact decision whether two regions are equal except for errors of their coordinates.
+"""An exact test whether two regions are equal up to rounding of their coordinates.
 
 Two regions E and T are closer than a bound r if
 
     (1)  every point of the boundary of E is closer than r to that of T, and conversely; and
     (2)  every point in exactly one of them is closer than r / 2 to one of the boundaries,
 
-in the maximum norm, which keeps all numbers rational. Moving each vertex by less than r leaves a
-region closer than r: a point that changes sides lies on the path of a boundary point, so it is
-closer than r / 2 to one end of that path. The number of rings, and which of them touch, does not
-matter; but nothing as wide as r is lost or gained.
+in the maximum norm, which keeps all numbers rational. Moving each vertex by less than r changes a
+region by less than r: a point that changes sides lies on the path of a boundary point, so it is
+closer than r / 2 to an end of that path. The number of rings does not matter, nor do contacts of
+rings; but nothing as wide as r is lost or gained.
 
-(1): the parameters of the points on an edge that are closer than r to another edge form an open
-interval; such intervals must cover every edge. (2): the points closer than r / 2 to an edge form an
-open hexagon; such hexagons must cover every trapezoid of the difference. Both are decided exactly.
+(1): on each edge, the points closer than r to another edge form an open interval; such intervals
+must cover every edge. (2): the points closer than r / 2 to an edge form an open hexagon; such
+hexagons must cover every trapezoid of the difference.
 """
 
 from __future__ import annotations
@@ -29,9 +29,9 @@ from exactsweep.numbers.number import Fit, Point, PointRings
 
 
 class _NearEdge(NamedTuple):
-    """The points closer than a bound to an edge: an open hexagon, and its bounding box.
+    """The open hexagon of points closer than a bound to an edge, with its bounding box.
 
-    Strip (u, v, middle, half) is the set of points p with |u p.x + v p.y - middle| < half.
+    Strip (u, v, middle, half) has the points p with |u p.x + v p.y - middle| < half.
     """
 
     left: Fraction
@@ -72,7 +72,7 @@ class _NearEdge(NamedTuple):
                     inside = _clip(inside, [-height for height in above])
 
     def reach(self, a: Point, b: Point) -> Fraction:
-        """Return the t at which a + t (b - a) leaves the hexagon, at most 2; some t is inside."""
+        """Return the t at most 2 at which a + t (b - a) leaves the hexagon, which it meets."""
         ends = [Fraction(2)]
         for u, v, middle, half in self.strips:
             start, step = u * a.x + v * a.y - middle, u * (b.x - a.x) + v * (b.y - a.y)
@@ -106,7 +106,7 @@ def are_boxes_near(first: PointRings, second: PointRings, bound: Fraction) -> bo
 def take_pairs(
     exact: PointRings, theirs: list[Sequence[Point]], bound: Fraction
 ) -> Iterator[Sequence[Point]]:
-    """Remove one ring close to each exact ring from a list; yield exact rings without one."""
+    """Remove a close ring from a list for each exact ring; yield the unmatched exact rings."""
     for ring in exact:
         found = next((other for other in theirs if are_close([ring], [other], bound)), None)
         if found is None:
@@ -118,8 +118,7 @@ def take_pairs(
 def covers(target: Iterable[Fit], edges: Iterable[Fit], bound: Fraction) -> bool:
     """Decide whether all points of some edges are closer than a positive bound to target edges.
 
-    An edge may be a point. Cost: linear if edges of the same index in both lists are close, else
-    O(m n).
+    Cost: linear if edges of equal index in both lists are close, else O(m n).
 
     Example:
         >>> a, b, c = (Point(Fraction(x), Fraction(0)) for x in (0, 2, 5))
@@ -133,7 +132,7 @@ def covers(target: Iterable[Fit], edges: Iterable[Fit], bound: Fraction) -> bool
         t, one = Fraction(0), Fraction(1)
         while t <= one:
             p = Point(a.x + t * (b.x - a.x), a.y + t * (b.y - a.y))
-            # Neighbours in one list are close to neighbours in the other.
+            # The next edge is usually close to the next target.
             for k in chain(range(hit, len(near)), range(hit)):
                 if near[k].meets(low, high) and near[k].holds(p):
                     hit = k
@@ -147,10 +146,10 @@ def covers(target: Iterable[Fit], edges: Iterable[Fit], bound: Fraction) -> bool
 def are_close(
     first: PointRings, second: PointRings, bound: Fraction, besides: Sequence[Fit] = ()
 ) -> bool:
-    """Decide whether the regions of two sets of rings are closer than a bound, by (1) and (2).
+    """Decide whether the regions of two sets of rings are closer than a bound.
 
-    The bound 0 asks whether they are equal; `besides` has further segments that the boundary of the
-    second may be close to. The answer is False if the difference has too many trapezoids.
+    The bound 0 tests equality. The second boundary may also be close to the segments `besides`.
+    The result is False if the difference has too many trapezoids.
 
     Example:
         >>> ring = [Point(Fraction(x), Fraction(y)) for x, y in [(0, 0), (9, 0), (9, 9), (0, 9)]]
@@ -169,7 +168,7 @@ def are_close(
 def are_boundaries_close(
     one: RingBoundary, other: RingBoundary, bound: Fraction, besides: Sequence[Fit] = ()
 ) -> bool:
-    """Decide `are_close` for two boundaries and a positive bound."""
+    """Decide `are_close` by boundaries for a positive bound."""
     return (
         covers([*one.solid, *one.doubled, *besides], other.solid, bound)
         and covers([*other.solid, *other.doubled], one.solid, bound)
@@ -178,7 +177,7 @@ def are_boundaries_close(
 
 
 def _is_difference_thin(first: PointRings, second: PointRings, bound: Fraction) -> bool:
-    """Decide (2), for rings without doubled segments."""
+    """Decide (2) for rings without doubled segments."""
     edges: list[_NearEdge] = []
     try:
         for cell in find_differences(first, second):
@@ -202,7 +201,7 @@ def _is_difference_thin(first: PointRings, second: PointRings, bound: Fraction) 
 def _is_covered(corners: Sequence[Point], edges: Sequence[_NearEdge]) -> bool:
     """Decide whether open hexagons cover a convex polygon.
 
-    A piece lies outside every hexagon that it was cut by, so each cuts it only once.
+    A piece lies outside all hexagons that cut it, so each hexagon cuts it only once.
     """
     left = [corners]
     while left:
@@ -216,7 +215,7 @@ def _is_covered(corners: Sequence[Point], edges: Sequence[_NearEdge]) -> bool:
 
 
 def _clip(corners: Sequence[Point], heights: Sequence[Fraction]) -> list[Point]:
-    """Return the part of a convex polygon where a linear function, the height, is not negative."""
+    """Return the part of a convex polygon where the height, a linear function, is not negative."""
     part: list[Point] = []
     for k, (q, after) in enumerate(zip(corners, heights, strict=True)):
         p, before = corners[k - 1], heights[k - 1]

@@ -1,4 +1,4 @@
-"""Comparison of an answer with the exact one, part by part."""
+"""Comparison of an answer with the exact one."""
 
 from __future__ import annotations
 
@@ -58,12 +58,12 @@ from exactsweep.numbers.error import quote, tells_arguments
 from exactsweep.numbers.number import Fit, Loop
 
 MOST_MEASURED = 3000
-"""Maximum number of edges, exact and answered, of loops whose area and distance are measured."""
+"""Maximum number of edges of both loops for measuring area and distance."""
 MOST_PAIRS = 20_000
-"""Maximum number of pairs of close rings that are examined for overlap: a few seconds."""
+"""Maximum number of pairs of rings examined for overlap: a few seconds."""
 
 JudgedLoop = tuple[PartComparison, Sequence[Fit]]
-"""A comparison, and the segments on exact fits that the rings trace in both directions."""
+"""A comparison, and the exact fits that the rings trace."""
 
 
 @tells_arguments
@@ -79,24 +79,20 @@ def compare(
 
     Args:
         case: the case.
-        result: the answer as plain data: a mapping with any of "trajectory", "inner", "outer",
-            "no_fit", "minkowski_sum" and "inner_fit", each a loop as for `read_loop`; and
-            "exact_fits" and "inner_exact_fits", lists of pairs of points. It may have the "id" of
-            the case.
-        rounding: the permitted coordinate error, instead of `grant_rounding`.
-        promised: names of loops that must be there.
-        numbers: the numbers of the program, as for `Hello`, or None: a program that reads binary64
-            means 3.0 where it writes 3.
+        result: the answer as plain data: a mapping with some of `LOOPS`, as for `read_loop`;
+            "exact_fits" and "inner_exact_fits", lists of pairs of points; and optionally the "id"
+            of the case.
+        rounding: the strict bound on coordinate errors; by default that of `grant_rounding`.
+        promised: names of required loops.
+        numbers: the numbers of the program, as for `Hello`, or None.
 
     Returns:
-        A Comparison; `Verdict` defines the verdicts. Parts that are neither answered nor promised
-        are skipped, as is an "inner_fit" that the case does not have; an answer without parts is
-        unsupported. A trajectory, "no_fit" or "inner_fit" without exact fits answers that there
-        are none.
+        A Comparison of the parts that are answered or promised. An answer without parts is
+        unsupported. Omitted exact fits mean that there are none.
 
     Raises:
         AnswerError: the answer has the id of another case.
-        WitnessError: the expected answer of the case is refuted by the definition.
+        WitnessError: the definition refutes the expected answer of the case.
 
     Cost: linear for an exact answer; otherwise that of `judge_loop` and `judge_fits`.
 
@@ -150,7 +146,7 @@ def compare(
 def _list_parts(
     case: Case, result: Mapping[str, object], promised: Collection[str]
 ) -> Iterator[str]:
-    """List the judged parts: loops first, since they may trace exact fits."""
+    """List the parts to judge: loops first, since they may trace exact fits."""
     asked = {*result, *promised}
     if case.inner_regions is None:
         asked.discard("inner_fit")
@@ -165,17 +161,11 @@ def _list_parts(
 def judge_loop(case: Case, name: str, loop: AnsweredLoop, rounding: Fraction) -> JudgedLoop:
     """Compare an answered loop with the exact one.
 
-    Args:
-        case: the case.
-        name: a key of LOOP_NAMES.
-        loop: the answered loop.
-        rounding: the bound that coordinate errors must stay below.
-
     Raises:
-        WitnessError: the expected answer of the case is refuted by the definition.
+        WitnessError: the definition refutes the expected answer of the case.
 
     Cost: linear for an exact answer, O(n log n) for an equivalent one; otherwise that of
-        `find_differences`, `measure_distance`, `covers` and `diagnose`, and of a witness.
+        `find_differences`, `measure_distance`, `covers`, `diagnose` and `find_witness`.
     """
     exact = list_exact_rings(case, name)
     if _have_same_vertices(loop.rings, exact):
@@ -205,7 +195,7 @@ def judge_loop(case: Case, name: str, loop: AnsweredLoop, rounding: Fraction) ->
         plain = tuple(trace_rings(boundary))
         if find_fault(plain, "") is None:
             rings, fault = plain, None
-    # Of unsound rings, only arithmetic is diagnosed: other mistakes keep rings sound.
+    # Other mistakes do not make rings cross.
     diagnosis = (
         name_arithmetic(exact, loop.rings) if fault else diagnose(case, name, rings, rounding)
     )
@@ -213,7 +203,7 @@ def judge_loop(case: Case, name: str, loop: AnsweredLoop, rounding: Fraction) ->
 
 
 def find_fault(rings: Sequence[Loop], place: str) -> str | None:
-    """Return the reason why rings are malformed, or None."""
+    """Find the reason why rings are malformed, or None."""
     polygons = []
     for k, ring in enumerate(rings):
         try:

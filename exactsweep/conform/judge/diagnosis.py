@@ -1,9 +1,9 @@
 """Diagnosis of a wrong loop: the mistake that produces it.
 
-Let P be the positions of G's origin at which G overlaps D: the sum of D and -G. The usual mistakes
-give another exact set: P about another reference point; -P, for exchanged roles; D + G, if G is not
-reflected; P at another scale or in other axes; its convex hull; or the answer to another question.
-Each is compared as a whole, so a diagnosis is a proof, not a guess.
+Let P = D + (-G), the positions of G's origin at which G overlaps D. Usual mistakes give another
+exact set: P for another reference point; -P, if roles are exchanged; D + G, if G is not reflected;
+P at another scale or in other axes; the convex hull of P; or the answer to another question. The
+whole loop must equal that set, so a diagnosis is a proof.
 """
 
 from __future__ import annotations
@@ -39,11 +39,11 @@ _BOUNDARIES = (
 _MOST_ROUNDED = 16
 _NEARLY = 4
 _POSITIONS = ("trajectory", "no_fit", SUM, "inner_fit")
-"""Loops of positions, which depend on the reference point."""
+"""Loops that depend on the reference point."""
 
 
 class _DiagnosedRings(NamedTuple):
-    """An answered loop; `low` and `high` are the corners of its bounding box."""
+    """An answered loop, with the corners `low` and `high` of its bounding box."""
 
     case: Case
     name: str
@@ -55,27 +55,26 @@ class _DiagnosedRings(NamedTuple):
 
     @property
     def reference(self) -> Point:
-        """The point of G whose positions the rings contain; of a Minkowski sum the origin."""
+        """The reference point of G; the origin for a Minkowski sum."""
         return ORIGIN if self.name == SUM else self.case.reference
 
     def are(self, others: PointRings, times: int = 1) -> bool:
-        """Decide whether the answered rings equal others except for a multiple of the rounding."""
+        """Decide whether the answered rings equal others up to a multiple of the rounding."""
         return bool(others) and are_close(others, self.rings, times * self.rounding)
 
 
 def diagnose(case: Case, name: str, rings: PointRings, rounding: Fraction) -> tuple[str, ...]:
-    """Find the questions to which answered rings are exact, except for rounding.
+    """Find the questions to which answered rings are the exact answer, up to rounding.
 
-    All phrases that hold are returned, the likeliest first; of one case, two reference points may
-    be equal.
+    Returns all matching phrases, the likeliest first; reference points may coincide.
 
-    Cost: that of a sweep and of a few times `are_close`; linear if no bounding box fits.
+    Cost: that of a sweep and of several calls of `are_close`; linear if no bounding box matches.
     """
     if not any(map(find_doubled_area, rings)):
         return () if rings else ("reports that G does not fit",)
     low, high = find_box(rings)
     if min(high.x - low.x, high.y - low.y) < _MOST_ROUNDED * rounding:
-        # With so large a rounding, nearly all rings are equal.
+        # Such a rounding would make nearly all rings equal.
         rounding = Fraction(0)
     exact = list_exact_rings(case, name)
     if not exact:
@@ -87,7 +86,7 @@ def diagnose(case: Case, name: str, rings: PointRings, rounding: Fraction) -> tu
         return counted
     spoilt = name_arithmetic(exact, rings)
     if rounding and theirs.are(exact, _NEARLY):
-        # So small an error could be mistaken for another reference point or scale.
+        # Such an error could be mistaken for another reference point or scale.
         named = spoilt or tuple(_name_vertices(exact, rings))
         return *named, f"exact except for {_NEARLY} times the rounding granted"
     found = [*_other_loops(theirs)]
@@ -106,7 +105,7 @@ def diagnose(case: Case, name: str, rings: PointRings, rounding: Fraction) -> tu
 
 
 def _count_rings(theirs: _DiagnosedRings, missing: PointRings, left: PointRings) -> Iterator[str]:
-    """Count the missing or additional rings, if all others are exact."""
+    """Count missing or additional rings if all others are exact."""
     exact, name = theirs.exact, theirs.name
     if len(missing) == len(exact):
         return
@@ -170,10 +169,10 @@ def _other_loops(theirs: _DiagnosedRings) -> Iterator[str]:
 
 
 def _other_positions(theirs: _DiagnosedRings) -> list[str]:
-    """Name mistakes about any reference point, the likeliest first.
+    """Name mistakes for any reference point, the likeliest first.
 
-    On symmetric shapes, mistakes may coincide. Usual reference points come before reflections and
-    sums, and those before other points.
+    Mistakes may coincide on symmetric shapes. Usual reference points come first, then reflections
+    and sums, then other points.
     """
     case, rings = theirs.case, theirs.exact
     positions = _map(rings, 1, 0, 0, 1, subtract(ORIGIN, theirs.reference))
@@ -224,7 +223,7 @@ _AXES = {
 
 
 def _map(rings: PointRings, a: int, b: int, c: int, d: int, by: Point = ORIGIN) -> PointRings:
-    """Return the image of rings under a matrix and a translation, counter-clockwise."""
+    """Map rings by a matrix and a translation, counter-clockwise."""
     image = [[Point(a * x + b * y + by.x, c * x + d * y + by.y) for x, y in r] for r in rings]
     return image if a * d > b * c else [ring[::-1] for ring in image]
 
@@ -236,7 +235,7 @@ def _add(case: Case, name: str) -> PointRings:
 
 
 def _name_offsets(theirs: _DiagnosedRings, offset: Point) -> Iterator[str]:
-    """Name the points of G that are at an offset from G's origin."""
+    """Name the points of G at an offset from G's origin."""
     case = theirs.case
     if theirs.name == SUM:
         if is_near(ORIGIN, offset, theirs.rounding):
@@ -270,13 +269,13 @@ def _name_offsets(theirs: _DiagnosedRings, offset: Point) -> Iterator[str]:
 
 
 def _find_offset(shape: PointRings, theirs: _DiagnosedRings) -> Point | None:
-    """Return the translation from some rings to the answered ones, if there is one."""
+    """Find a translation from some rings to the answered ones."""
     by = subtract(theirs.low, find_box(shape)[0])
     return by if theirs.are(_map(shape, 1, 0, 0, 1, by), 2) else None
 
 
 def _find_scale(theirs: _DiagnosedRings) -> Fraction | None:
-    """Return the factor from the exact rings to the answered ones, if there is one."""
+    """Find a scale factor from the exact rings to the answered ones."""
     low, high = find_box(theirs.exact)
     factor = (theirs.high.x - theirs.low.x) / (high.x - low.x)
     scaled = [[Point(x * factor, y * factor) for x, y in ring] for ring in theirs.exact]

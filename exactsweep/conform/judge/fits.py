@@ -1,15 +1,15 @@
-"""Comparison of answered exact fits with the exact ones.
+"""Comparison of answered exact fits with the expected ones.
 
-They may differ as follows:
+Differences:
 
 - missing: no position is answered;
-- too short: only a part is answered;
-- too long: the answered fit continues beyond it;
-- invented: the answered fit is no part of any;
-- given twice, or in pieces: the same positions;
+- too short: some positions are answered;
+- too long: the answer extends an exact fit;
+- invented: the answer is on no exact fit;
+- given twice, or in pieces: the positions are right;
 - rounded: the positions are off by less than the rounding;
-- whisker: traced by the loop, and not listed. Orbiting programs, which move G along D from contact
-  to contact, enter a slot that fits exactly and leave it on the same path.
+- whisker: the loop traces the fit. Orbiting programs enter an exact slot and leave it on the same
+  path.
 """
 
 from __future__ import annotations
@@ -44,18 +44,7 @@ def judge_fits(
     whiskers: Sequence[Fit] = (),
     name: str = NAME,
 ) -> PartComparison:
-    """Compare answered exact fits with the exact ones.
-
-    The verdict is exact; equivalent, for the same positions written differently; "equivalent
-    except for exact fits" if some are missing, too short or rounded; "false exact fits" if a
-    position is on no exact fit; or unsound if a position overlaps.
-
-    Args:
-        case: the case.
-        theirs: segments of positions of the reference point.
-        rounding: the bound that coordinate errors must stay below.
-        whiskers: of the loop, on exact fits.
-        name: NAME, or INSIDE for those of G inside D.
+    """Compare answered exact fits with the expected ones.
 
     Cost: O(f t) for f segments and t edges of the trajectory, times that of `classify`.
     """
@@ -124,7 +113,7 @@ def _count_differences(missing: Sequence[Fit], others: Sequence[Fit]) -> dict[st
 
 
 def _unite_to_one(one: Fit, other: Fit) -> bool:
-    """Decide whether segments are collinear, and share more than an end (or one is a point)."""
+    """Decide whether segments are collinear and share more than an end, or one is a point."""
     low, high = max(min(one), min(other)), min(max(one), max(other))
     return are_collinear((*one, *other)) and (
         low < high or (low == high and (one[0] == one[1] or other[0] == other[1]))
@@ -132,9 +121,9 @@ def _unite_to_one(one: Fit, other: Fit) -> bool:
 
 
 def _places(case: Case, segment: Fit, name: str) -> Iterator[Point]:
-    """Yield the ends of a segment and a position between each two crossings of loops or fits.
+    """Yield the ends of a segment and positions between its crossings with loops and fits.
 
-    Between those, all positions overlap or none does.
+    Between two crossings, all positions overlap or none does.
     """
     p, q = segment
     ends = {p, q}

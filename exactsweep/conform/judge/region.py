@@ -1,15 +1,12 @@
 """The exact difference of two regions with arbitrary rings, as trapezoids.
 
-A point belongs to a region if a ray from it crosses the edges of all rings an odd number of times.
-So rings may cross themselves and each other, have either orientation, and enclose holes.
+A point belongs to a region if it has an odd winding number. So rings may cross, have either
+orientation, and enclose holes.
 
-Method: vertical slabs. The x of all vertices cut the plane into slabs, which edges cross from side
-to side. Two edges cross inside a slab exactly if their orders at its two sides are opposite; the x
-of such crossings cut it further. Then no edges cross between two cuts, so their order at the left
-side, and at the right side where that is equal, holds throughout, and two neighbours bound a
-trapezoid without parts of edges inside. From below, each edge changes the parity of its region.
-Vertical edges lie on cuts. The trapezoids in exactly one region make up the difference, except for
-a set without area. Their inner points are the witnesses.
+Vertical lines through all vertices cut the plane into slabs, which edges cross from side to side.
+Two edges cross inside a slab if and only if their order at its sides is opposite; vertical lines
+through these crossings cut it further. Then neighbouring edges bound trapezoids, and each edge
+changes the parity of its region. The trapezoids in exactly one region form the difference.
 """
 
 from __future__ import annotations
@@ -26,21 +23,15 @@ from exactsweep.numbers.number import Fit, Point, PointRings
 Height = tuple[Fraction, Fraction]
 
 MAX_WORK = 300_000
-"""Maximum number of edges across slabs, summed over all slabs: about 15 seconds."""
+"""Maximum number of edges summed over all slabs: about 15 seconds."""
 
 _PARTS = tuple((Fraction(a, 9), Fraction(b, 9)) for a, b in ((3, 6), (1, 2), (7, 8)))
 
 
 class Trapezoid(NamedTuple):
-    """An open trapezoid in exactly one of two regions, with two vertical sides.
+    """An open trapezoid in exactly one of two regions, the first or the second.
 
-    Attributes:
-        first: whether it is in the first region, and not in the second.
-        left: x of the left side.
-        right: x of the right side.
-        low: y of the lower edge at the left and at the right.
-        high: y of the upper edge at the left and at the right.
-        edges: the edges of the rings that it lies between.
+    `low` and `high` have the y of the lower and the upper edge at the left and the right side.
     """
 
     first: bool
@@ -52,19 +43,19 @@ class Trapezoid(NamedTuple):
 
     @property
     def area(self) -> Fraction:
-        """The area, positive."""
+        """The positive area."""
         gaps = self.high[0] - self.low[0] + self.high[1] - self.low[1]
         return gaps * (self.right - self.left) / 2
 
     def corners(self) -> tuple[Point, ...]:
-        """The corners, counter-clockwise; two of them coincide in a triangle."""
+        """Return the corners counter-clockwise; two of them coincide in a triangle."""
         sides = (self.left, self.low[0]), (self.right, self.low[1])
         return tuple(
             Point(*p) for p in (*sides, (self.right, self.high[1]), (self.left, self.high[0]))
         )
 
     def points(self) -> Iterator[Point]:
-        """Yield nine points inside with short coordinates."""
+        """Yield nine interior points with short coordinates."""
         width = self.right - self.left
         for a, b in _PARTS:
             x = find_simplest(self.left + a * width, self.left + b * width)
@@ -88,20 +79,19 @@ Ordered = Sequence[tuple[Height, _RegionEdge]]
 
 
 class RegionError(ExactSweepError):
-    """Rings with too many edges above each other, or that cross too often."""
+    """Rings with too many crossings, or too many edges in one slab."""
 
 
 def find_differences(first: PointRings, second: PointRings) -> Iterator[Trapezoid]:
     """Yield the trapezoids in exactly one of two regions, from left to right.
 
-    Their interiors are disjoint. There are none if and only if the regions are equal except for a
-    set without area.
+    There are none if and only if the regions differ by a set without area.
 
     Raises:
         RegionError: the work would exceed MAX_WORK.
 
-    Cost: O((n + k) w log w) operations on rationals for n edges with k crossings, at most w of them
-    above each other.
+    Cost: O((n + k) w log w) operations on rationals for n edges with k crossings, at most w in one
+    slab.
 
     Example:
         >>> square = [Point(Fraction(x), Fraction(y)) for x, y in [(0, 0), (2, 0), (2, 2), (0, 2)]]
@@ -119,7 +109,7 @@ def find_differences(first: PointRings, second: PointRings) -> Iterator[Trapezoi
 
 
 def _cut(edges: list[_RegionEdge]) -> Iterator[tuple[Fraction, Fraction, Ordered]]:
-    """Yield slabs without ends and crossings inside, with the edges across each."""
+    """Yield slabs without vertices and crossings inside, with their edges from below."""
     edges.sort()
     cuts = sorted({x for edge in edges for x in (edge.left.x, edge.right.x)})
     active: list[_RegionEdge] = []
@@ -149,9 +139,9 @@ def add_areas(cells: Iterable[Trapezoid]) -> Fraction:
 
 
 def find_simplest(low: Fraction, high: Fraction) -> Fraction:
-    """Return the rational of least denominator in a closed interval; of integers nearest to zero.
+    """Find the rational of least denominator in a closed interval; the integer nearest to zero.
 
-    By continued fractions, without recursion, since numbers may be long.
+    It uses continued fractions without recursion, since numbers may be long.
 
     Example:
         >>> find_simplest(Fraction(31, 100), Fraction(36, 100))
@@ -161,7 +151,7 @@ def find_simplest(low: Fraction, high: Fraction) -> Fraction:
         return Fraction(0)
     if high < 0:
         return -find_simplest(-high, -low)
-    # The partial quotients in common, then the least integer that is not below the lower end.
+    # Common partial quotients, then the least integer in the interval.
     quotients = []
     while (whole := -(-low.numerator // low.denominator)) > high:
         quotients.append(whole - 1)
@@ -181,7 +171,7 @@ def _edges(rings: PointRings, region: int) -> Iterator[_RegionEdge]:
 
 
 def _crossings(ordered: Ordered) -> Iterator[Fraction]:
-    """Yield the fractions of a slab's width at which edges cross, by insertion sort."""
+    """Yield the fractions of a slab's width at which edges cross, found by insertion sort."""
     below: list[Height] = []
     for heights, _ in ordered:
         low, high = heights

@@ -1,4 +1,4 @@
-"""Loops equal to the exact ones up to rounding, which may change the rings that touch."""
+"""Loops equal to the exact ones up to rounding, which may merge or split rings."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ _NUMBERS = {2: "two", 3: "three", 4: "four"}
 def match_rounded(
     theirs: RingBoundary, exact: RingBoundary, fits: Sequence[Fit], rounding: Fraction
 ) -> list[Fit] | None:
-    """Return the fits that rings trace, or None if they differ by more than rounding."""
+    """Find the fits that rings trace, or None if the regions differ by more than rounding."""
     if not rounding:
         return None
     known = [*exact.solid, *fits]
@@ -35,13 +35,13 @@ def match_rounded(
         return None
     if not fits:
         return []
-    # Segments close to fits, and nowhere close to the loop, trace them.
+    # Segments that are not close to the loop trace fits.
     lines = [line for line in (*theirs.solid, *near) if not covers(exact.solid, [line], rounding)]
     return [fit for fit in fits if covers(lines, [fit], rounding)]
 
 
 def name_joint(exact: Sequence[Loop], theirs: Sequence[Loop], name: str, rounding: Fraction) -> str:
-    """Describe which rings rounding merged or split, and where; "" if none."""
+    """Describe which rings rounding merges or splits, and where; "" if none."""
     if len(exact) == len(theirs):
         return ""
     left = list[Sequence[Point]](theirs)

@@ -1,4 +1,4 @@
-"""Permitted coordinate errors, and the diagnosis of arithmetic errors."""
+"""Permitted coordinate errors, and a diagnosis of arithmetic errors."""
 
 from __future__ import annotations
 
@@ -21,35 +21,20 @@ Change = Callable[[Fraction], Fraction]
 _MOST_DECIMALS = 12
 _DIGITS = range(3, 16)
 _WIDTHS = (32, 64, 16, 8)
-# The least numbers that round to infinity; such numbers stay as they are. Single precision is
-# reached through a double.
+# The least numbers that round to infinity, in single precision through a double.
 BEYOND = Fraction(2**1024 - 2**970)
 _BEYOND_SINGLE = Fraction(2**128 - 2**103 - 2**74)
 
 ULPS = 16
-"""Units in the last place of the largest coordinate: sums of three vertices, and a crossing."""
+"""Units in the last place of the largest coordinate, for sums of three vertices and a crossing."""
 SHARE = Fraction(1, 2**32)
-"""The fraction of the smaller polygon's size granted in addition, for nearly parallel edges."""
+"""The additional fraction of the smaller polygon's size, for nearly parallel edges."""
 _NEAREST = Fraction(9, 16)
 _GREATEST = Fraction(sys.float_info.max)
 
 
 def grant_rounding(case: Case, name: str, loop: AnsweredLoop, numbers: str | None) -> Fraction:
-    """Return the bound that coordinate errors of a loop must stay below.
-
-    Args:
-        case: the case as the program got it.
-        name: of the loop, or of the exact fits.
-        loop: the answered loop.
-        numbers: the numbers that the hello declares, or None.
-
-    Returns:
-        For floats, and for all answers of a program that reads binary64: 16 units in the last place
-        of the largest coordinate of the case, plus 2^-32 of the size of the smaller polygon. For
-        integers, if the exact answer has other numbers: 1, or that size if it is less, but at least
-        9/16, which exceeds the error of the nearest integers. Otherwise 0: fractions, and integers
-        of a program that reads rationals, claim to be exact.
-    """
+    """Return the strict bound on coordinate errors of a loop; VERDICTS.md has the rules."""
     if loop.has_floats or numbers == "binary64":
         unit = Fraction(ulp(min(_largest(case), _GREATEST)))
         return ULPS * unit + SHARE * measure_smaller(case)
@@ -60,7 +45,7 @@ def grant_rounding(case: Case, name: str, loop: AnsweredLoop, numbers: str | Non
 
 
 def measure_smaller(case: Case) -> Fraction:
-    """Return the size of the smaller polygon: the greater of its width and its height."""
+    """Return the size of the smaller polygon: its width or height, whichever is greater."""
     return min(_size(case.directrix), _size(case.generatrix))
 
 
@@ -76,16 +61,10 @@ def _largest(case: Case) -> Fraction:
 
 
 def name_arithmetic(exact: PointRings, theirs: PointRings) -> tuple[str, ...]:
-    """Name the arithmetic errors that explain every coordinate of a loop.
+    """Name the arithmetic errors that explain all vertices of a loop, the likeliest first.
 
-    Args:
-        exact: the exact rings.
-        theirs: the answered rings, sound or not.
-
-    Returns:
-        Some of these, the likeliest first: "rounded down to integers", "rounded to integers",
-        "rounded to 2 decimals", "rounded to 6 digits", "rounded to single precision", "wraps around
-        at 32 bits".
+    For example "rounded to integers", "rounded to 6 digits" or "wraps around at 32 bits". The
+    answered rings may cross.
 
     Example:
         >>> third = [[Point(Fraction(0), Fraction(0)), Point(Fraction(1), Fraction(1, 3))]]
@@ -123,7 +102,7 @@ def _print(c: Fraction, form: str) -> Fraction:
 
 
 def to_double(c: Fraction) -> Fraction:
-    """Return the nearest double; a number beyond the greatest double stays."""
+    """Round to the nearest double; leave numbers beyond the greatest double."""
     return Fraction(float(c)) if abs(c) < BEYOND else c
 
 

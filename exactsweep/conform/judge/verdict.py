@@ -1,4 +1,4 @@
-"""Verdicts on answers of other programs, and a reader of answers."""
+"""Verdicts on answers, and a reader of answers."""
 
 from __future__ import annotations
 
@@ -19,31 +19,24 @@ from exactsweep.words import count
 
 
 class Verdict(StrEnum):
-    """The verdicts on an answer, from best to worst; the worst part of an answer decides.
+    """The verdicts from best to worst; an answer gets the worst verdict of its parts.
 
-    E is the closed region inside the exact loop, T the one inside the answered loop: the points
-    around which the rings wind an odd number of times. A loop gets the first of these verdicts
-    that holds, malformed before those that compare regions:
+    E is the region inside the exact loop and T the region inside the answered one; a point is
+    inside if the rings have an odd winding number.
 
-    - malformed: a number or a loop is unreadable or missing; or the region is neither exact nor
-      rounded, and readers of the rings would not agree on it: edges cross, rings overlap, a ring
-      encloses nothing, or a line is traced in and out that is no exact fit and does not lead to
-      another ring.
-    - exact: the vertices of the exact loop, each once, counter-clockwise, from any of them.
-    - equivalent: T = E, written differently.
-    - within: T equals E except for rounding, as `closeness` defines it.
-    - false exact fits: only for exact fits: a position of the answer is on none.
+    - exact: the vertices of the exact loop, counter-clockwise, starting at any of them.
+    - equivalent: T = E with other vertices.
+    - equivalent except for exact fits: exact fits are missing, too short or rounded.
+    - within: T equals E up to rounding, as defined in `closeness`.
+    - false exact fits: an answered exact fit has a position that is on no exact fit.
     - conservative: T contains E. An answered trajectory permits no overlap, but forbids free
       positions.
     - unsound: E contains T. An answered trajectory permits overlap.
-    - wrong: neither; also a different region with too many edges (`region.MAX_WORK`).
-
-    Exact fits are a part of their own; see `judge_fits`. If they are only missing, too short or
-    rounded, that part is "equivalent except for exact fits". Programs for Minkowski sums cannot
-    know exact fits; a false one counts against the program.
-
-    The runner adds timeout, memory, crash and unsupported, without an answer to judge; and
-    undecided, if the comparison took too long, which is no fault of the program.
+    - wrong: neither region contains the other, or they differ and have too many edges to compare.
+    - malformed: unreadable or missing; or T is neither E nor a rounded E, and its rings cross,
+      overlap, enclose nothing, or trace a line twice that is no exact fit and connects no rings.
+    - timeout, memory, crash, unsupported: there is no answer.
+    - undecided: the comparison took too long.
 
     Example:
         >>> max(Verdict.EXACT, Verdict.WITHIN, key=lambda verdict: verdict.severity).value
@@ -67,24 +60,24 @@ class Verdict(StrEnum):
 
     @property
     def severity(self) -> int:
-        """The index in the order above, 0 for exact."""
+        """The rank of the verdict, 0 for exact."""
         return [*Verdict].index(self)
 
     @property
     def is_judgement(self) -> bool:
-        """Whether the program was judged: it is neither undecided nor unsupported."""
+        """Whether the program was judged: neither undecided nor unsupported."""
         return self not in (Verdict.UNDECIDED, Verdict.UNSUPPORTED)
 
 
 @dataclass(frozen=True)
 class Witness:
-    """A position or a point at which an answer is wrong, verified.
+    """A verified position or point at which an answer is wrong.
 
     Attributes:
         says: a description in one sentence.
-        translation: the translation of G, or None if the witness is no position.
-        classified: the verdict of `classify` on it: FREE, CONTACT, OVERLAP; or None.
-        point: for an OVERLAP a Point in both interiors; for the inner and the outer loop the Point
+        translation: the translation of G, or None for a witness that is no position.
+        classified: the verdict of `classify` on the translation, or None.
+        point: for an OVERLAP a point in both interiors; for the inner and the outer loop the point
             that G can or cannot cover; or None.
     """
 
@@ -96,20 +89,20 @@ class Witness:
 
 @dataclass(frozen=True)
 class PartComparison:
-    """One part of an answer, compared with the exact one.
+    """The comparison of one part of an answer with the exact part.
 
     Attributes:
-        name: "trajectory", "inner", "outer" or "exact_fits".
-        verdict: of this part alone.
+        name: a key of `PART_NAMES`.
+        verdict: on this part alone.
         reason: one line.
         distance_squared: by `measure_distance`; None if the loop is too large or has no vertices.
-        permitted: area of E without T: overlap permitted, for the trajectory.
-        forbidden: area of T without E: free space lost, for the trajectory.
-        unsound: Witness in E without T, or None.
-        conservative: Witness in T without E, or None.
-        granted: the bound that coordinate errors had to stay below, if one was needed.
-        kind: how exact fits differ, or another property of the loop; "" if there is none.
-        diagnosis: the questions to which the loop is exact, the likeliest first; () if none.
+        permitted: area where overlap is permitted; E without T for a trajectory.
+        forbidden: area of lost free space; T without E for a trajectory.
+        unsound: a Witness of permitted overlap, or None.
+        conservative: a Witness of lost free space, or None.
+        granted: the strict bound on coordinate errors, if one was needed.
+        kind: the differences of exact fits, or another property of the loop; "" if there is none.
+        diagnosis: the questions to which the loop is the exact answer, the likeliest first.
     """
 
     name: str
@@ -132,19 +125,19 @@ class PartComparison:
         return self.permitted + self.forbidden
 
     def to_json(self) -> dict[str, Any]:
-        """Return plain data, numbers as strings, the area included."""
+        """Return plain data with numbers as strings."""
         return to_plain(asdict(self) | {"verdict": self.verdict.value, "area": self.area})
 
 
 @dataclass(frozen=True)
 class Comparison:
-    """An answer, compared with the exact one by `compare`; or the lack of one, by the runner.
+    """The comparison of an answer with the exact one, or the reason why there is no answer.
 
     Attributes:
         id: of the case.
         verdict: the worst of the parts.
-        reason: one line, that of the worst part.
-        parts: tuple of PartComparison: trajectory, inner, outer, exact fits in this order.
+        reason: one line, from the worst part.
+        parts: tuple of PartComparison, loops first.
     """
 
     id: str
@@ -154,7 +147,7 @@ class Comparison:
 
     @property
     def worst(self) -> PartComparison | None:
-        """The first of the worst parts; None without parts."""
+        """The first part with the worst verdict; None if there are no parts."""
         return max(self.parts, key=lambda part: part.verdict.severity, default=None)
 
     def to_json(self) -> dict[str, Any]:
@@ -164,46 +157,32 @@ class Comparison:
 
 
 LOOPS = ("trajectory", "inner", "outer", "no_fit", "minkowski_sum", "inner_fit")
-"""The loops that an answer may have."""
+"""The loops in answers."""
 
 
 class AnswerError(ExactSweepError):
-    """An unreadable answer or part of one; the message says where."""
+    """An unreadable answer; the message names the place."""
 
 
 class AnsweredLoop(NamedTuple):
-    """One answered loop.
-
-    Attributes:
-        rings: tuple of rings, each a tuple of Point, not closed, otherwise as given.
-        has_floats: whether a coordinate was a float.
-    """
+    """One answered loop."""
 
     rings: tuple[Loop, ...]
     has_floats: bool
 
     @property
     def is_integer(self) -> bool:
-        """Whether all coordinates are integers, and none was a float."""
+        """Whether all coordinates are integers and none is a float."""
         return not self.has_floats and all(
             c.denominator == 1 for ring in self.rings for point in ring for c in point
         )
 
 
 def read_loop(value: object, path: str, *, may_be_empty: bool = False) -> AnsweredLoop:
-    """Read a loop: a list of pairs of numbers, or a list of such lists, its rings.
-
-    Args:
-        value: plain data. A number is anything that `to_fraction` reads; a float has its binary
-            value. A ring may be closed (the last vertex repeats the first) or not.
-        path: the place of the value, for messages.
-        may_be_empty: whether an answer may have no rings, if a part does not fit.
-
-    Returns:
-        The AnsweredLoop. Rings may have fewer than three vertices.
+    """Read a loop: a ring, which is a list of pairs of numbers, or a list of rings, open or closed.
 
     Raises:
-        AnswerError: anything else, a number is not finite, a ring has no vertices, or there are
+        AnswerError: the value is no loop, a number is not finite, a ring is empty, or there are
             more vertices than `limits` allow.
 
     Cost: linear.
@@ -241,13 +220,10 @@ def read_loop(value: object, path: str, *, may_be_empty: bool = False) -> Answer
 
 
 def read_segments(value: object, path: str) -> AnsweredLoop:
-    """Read exact fits: a list of pairs of points, as `read_loop` reads points.
-
-    Returns:
-        An AnsweredLoop, each segment a ring of two points, which may be equal.
+    """Read exact fits, a list of pairs of points, each as a ring of two points.
 
     Raises:
-        AnswerError: anything else.
+        AnswerError: the value is no such list.
     """
     read = []
     for k, pair in enumerate(_list(value, path, "a list of segments")):
@@ -260,7 +236,7 @@ def read_segments(value: object, path: str) -> AnsweredLoop:
 
 
 def _read_points(pairs: Sequence[object], path: str) -> tuple[Loop, bool]:
-    """Read points; return them, and whether a coordinate is a float."""
+    """Read points, and find whether some coordinate is a float."""
     points, has_floats = [], False
     for k, pair in enumerate(pairs):
         found = _list(pair, f"{path}[{k}]", "a pair of numbers")
@@ -281,5 +257,5 @@ def _list(value: object, path: str, what: str) -> Sequence[object]:
 
 
 def name_kind(value: object) -> str:
-    """Name the kind of any value; a Python function may return anything."""
+    """Name the type of any value; a Python function may return anything."""
     return describe_kind(value) if isinstance(value, (dict, list, str, bool)) else quote(value)

@@ -1,16 +1,14 @@
 """Verified witnesses: positions and points at which an answer is wrong.
 
-Let P be the region inside the exact trajectory of G's origin: the closure of the translations t at
-which G + t overlaps D, except for exact fits. The translations that put G onto a point p are the
-polygon H(p) = p - G. By the definitions of the loops (Theorems 2.1 and 2.2),
+Let P be the region inside the exact trajectory of G's origin, and H(p) = p - G the translations at
+which G covers a point p. By Theorems 2.1 and 2.2,
 
-- p is inside the outer loop if and only if H(p) overlaps P: the sweep passes or encloses some
-  position that puts G onto p;
-- p is inside the inner loop if and only if P contains H(p): every position that puts G onto p
-  overlaps D, and G cannot reach p from any side.
+- p is inside the outer loop if and only if H(p) overlaps P: the sweep passes or encloses a position
+  at which G covers p;
+- p is inside the inner loop if and only if P contains H(p): G overlaps D wherever it covers p.
 
-So the witness for a point of an inner or outer loop is a translation t in H(p), on the trajectory
-or outside; or the point itself if there is none.
+So the witness for a point of an inner or outer loop is a translation in H(p), or the point itself
+if there is none.
 """
 
 from __future__ import annotations
@@ -46,7 +44,7 @@ INSIDE = "inner_exact_fits"
 SUM = "minkowski_sum"
 PART_NAMES = {**LOOP_NAMES, NAME: "exact fits", INSIDE: "exact fits inside"}
 FITS_OF = {"trajectory": NAME, "no_fit": NAME, SUM: NAME, "inner_fit": INSIDE}
-"""The exact fits that belong to the loops of positions; those of a sum are its slits."""
+"""The exact fits of loops of positions; those of a sum are its slits."""
 
 _DOES = {
     "FREE": "does not touch D",
@@ -62,11 +60,10 @@ _SEVERITY = tuple(_DOES)
 
 
 def list_exact_rings(case: Case, name: str) -> tuple[tuple[Point, ...], ...]:
-    """Return the rings of an exact loop, counter-clockwise: the exterior, then the holes.
+    """List the rings of an exact loop, counter-clockwise: the exterior, then the holes.
 
-    The inner loop comes before other unswept regions, and the regions of an inner fit follow each
-    other. An exact fit is a ring of two points. A Minkowski sum is that of a = D and b = -G: the
-    no-fit polygon for the origin of G.
+    The inner loop precedes other unswept regions. An exact fit is a ring of two points. The
+    Minkowski sum of a = D and b = -G is the no-fit polygon for the origin of G.
     """
     if name == SUM:
         by = subtract(ORIGIN, case.reference)
@@ -85,7 +82,7 @@ def list_exact_rings(case: Case, name: str) -> tuple[tuple[Point, ...], ...]:
 
 
 def list_exact_fits(case: Case, name: str) -> tuple[Fit, ...]:
-    """Return the exact fits of G around D or inside D, or the slits of a sum."""
+    """List the exact fits of G around D or inside D, or the slits of a sum."""
     if name == SUM:
         by = subtract(ORIGIN, case.reference)
         return tuple((add(p, by), add(q, by)) for p, q in case.exact_fits)
@@ -93,21 +90,14 @@ def list_exact_fits(case: Case, name: str) -> tuple[Fit, ...]:
 
 
 class WitnessError(ExactSweepError):
-    """A case whose expected answer contradicts the definition; the message says where."""
+    """A case whose expected answer contradicts the definition; the message names the place."""
 
 
 def find_witness(case: Case, name: str, theirs: PointRings, cells: Iterable[Trapezoid]) -> Witness:
-    """Return a Witness with short coordinates that proves a reported loop wrong.
-
-    Args:
-        case: the case.
-        name: a key of LOOP_NAMES.
-        theirs: the answered rings.
-        cells: from `find_differences` of the exact region and theirs; at least one, all of them in
-            the same region.
+    """Find a Witness with short coordinates that proves an answered loop wrong.
 
     Raises:
-        WitnessError: the definition agrees with the answer, and not with the case.
+        WitnessError: the definition agrees with the answer instead of the case.
     """
     cell = max(cells, key=lambda cell: cell.area)
     show = {"inner": _of_inner, "outer": _of_outer}.get(name, partial(_of_positions, name=name))
@@ -137,7 +127,7 @@ def at_position(case: Case, position: Point, *, inside: bool = False) -> Witness
 
 
 def _obstacles(case: Case, t: Point) -> list[AnyPolygon]:
-    """List the shapes outside D: a frame that G + t does not leave, and the holes of D."""
+    """List the shapes outside D: its complement in a box around G + t, and its holes."""
     exterior, *holes = Region(case.directrix).rings
     corners = [*exterior, *(add(p, t) for p in case.generatrix_ring)]
     (left, right), (low, high) = ((min(c) - 1, max(c) + 1) for c in zip(*corners, strict=True))
@@ -179,7 +169,7 @@ def _of_inner(case: Case, point: Point, permitted: bool) -> Witness | None:
         return _over(case, point, t)
     if escapes:
         return None
-    # All positions are witnesses; the largest cell has one with short coordinates.
+    # All positions are witnesses; the largest cell has short coordinates.
     t = next(max(find_differences(onto.rings, []), key=lambda cell: cell.area).points())
     found = _over(case, point, t)
     return found and replace(found, says=f"{found.says}, as at all positions over that point")
@@ -212,17 +202,17 @@ def _over(case: Case, point: Point, t: Point) -> Witness | None:
 
 
 def _onto(case: Case, point: Point) -> AnyPolygon:
-    """Return the translations that put G onto a point."""
+    """Return the translations at which G covers a point."""
     return case.generatrix.reflected((point.x / 2, point.y / 2))
 
 
 def _positions(case: Case) -> Polygon:
-    """Return the region inside the exact trajectory of G's origin."""
+    """Return the exact trajectory of G's origin."""
     return case.trajectory.translated((-case.reference.x, -case.reference.y))
 
 
 def _on_boundary(positions: Polygon, onto: AnyPolygon) -> Iterator[Point]:
-    """Yield points of a polygon's boundary in a shape: vertices, then crossings."""
+    """Yield boundary points of a polygon that lie in a shape: vertices, then crossings."""
     vertices = positions.vertices
     yield from (vertex for vertex in vertices if locate_in_shape(vertex, onto.rings) >= 0)
     for k, b in enumerate(vertices):
@@ -233,7 +223,7 @@ def _on_boundary(positions: Polygon, onto: AnyPolygon) -> Iterator[Point]:
 
 
 def crossing_of(a: Point, b: Point, c: Point, d: Point) -> Point | None:
-    """Return the common point of two closed segments that are not parallel, if any."""
+    """Find the common point of two closed segments that are not parallel."""
     of_a, of_b, of_c, of_d = (
         orientation(c, d, a),
         orientation(c, d, b),

@@ -13,7 +13,7 @@ from exactsweep.conform.run.run import Run
 from exactsweep.conform.run.tally import fails
 
 MOST_ANNOTATIONS = 10
-"""GitHub shows no more of a step."""
+"""GitHub shows no more for a step."""
 _EXACT = (Verdict.EXACT, Verdict.EQUIVALENT, Verdict.EQUIVALENT_EXCEPT_FOR_EXACT_FITS)
 
 
@@ -29,9 +29,9 @@ def write_badge(run: Run) -> str:
 
 
 def write_annotations(run: Run) -> str:
-    """Write a workflow command of GitHub Actions for the smallest case of each fault.
+    """Write a GitHub Actions annotation for the smallest case of each fault, the worst first.
 
-    The worst faults come first, objections last; there are at most MOST_ANNOTATIONS lines.
+    Objections come last; there are at most MOST_ANNOTATIONS lines.
     """
     lines = [
         _annotate(f"{one.id} {one.verdict}", one, fault.count - 1)

@@ -1,8 +1,7 @@
 """A run as a self-contained HTML page.
 
-The pictures of failures show the exact answer, the answered one, and the witness. Coordinates are
-scaled exactly before they become floats, so a panel zoomed in on the witness shows an error of one
-part in 10^15.
+Pictures of failures show the exact loop, the answered one and the witness. Coordinates are scaled
+exactly before they become floats, so a picture shows even an error of one part in 10^15.
 """
 
 from __future__ import annotations
@@ -53,10 +52,7 @@ Layer = tuple[str, Sequence[Sequence[Point]], bool]
 
 
 def write_html(run: Run) -> str:
-    """Write a run as an HTML page with pictures of the failures that it keeps in full.
-
-    The output of the program is written as text, never as markup.
-    """
+    """Write a run as an HTML page with pictures of failures; the program's output is escaped."""
     environment = make_environment()
     environment.filters |= {
         "about": _about,
@@ -83,9 +79,7 @@ def write_html(run: Run) -> str:
         bad={verdict for verdict in Verdict if fails(verdict, run.accepted)},
         key=_KEY,
         most_shown=SHOWN,
-        answers=[
-            PART_NAMES[name] for name in (*run.hello.loops, *run.hello.questions) if name != "sweep"
-        ],
+        answers=[PART_NAMES[q] for q in (*run.hello.loops, *run.hello.questions) if q != "sweep"],
         failures=failures,
         failed=islice(failed, _MOST_LISTED),
         more=max(0, failures - _MOST_LISTED),
@@ -93,7 +87,7 @@ def write_html(run: Run) -> str:
 
 
 def _draw(outcome: Outcome) -> list[Panel]:
-    """Draw an outcome; a failure to draw must not cost the page."""
+    """Draw an outcome; an error must not prevent the page."""
     try:
         return draw_panels(outcome) if outcome.case else []
     except (ArithmeticError, ValueError):
@@ -101,7 +95,7 @@ def _draw(outcome: Outcome) -> list[Panel]:
 
 
 def _write_unit_test(run: Run, outcome: Outcome) -> str:
-    """Return a failure as unit test code; "" if there is no loop to show."""
+    """Write a failure as code for a unit test; "" if it has no loop."""
     part, numbers = outcome.worst, run.hello.numbers
     if part is None or outcome.case is None or part["name"].endswith("fits"):
         return ""
@@ -126,13 +120,7 @@ def _about(value: Fraction) -> str:
 
 
 class Panel(NamedTuple):
-    """A square picture, SIDE pixels wide.
-
-    Attributes:
-        caption: the part, and the size of the window.
-        paths: data of SVG paths by class of the style sheet, from back to front.
-        witness: the position of the witness in pixels, or None.
-    """
+    """A square picture, SIDE pixels wide."""
 
     caption: str
     paths: dict[str, str]
@@ -153,10 +141,10 @@ class _Scene(NamedTuple):
 
 
 def draw_panels(outcome: Outcome) -> list[Panel]:
-    """Draw the worst part of an outcome with its case; without parts, the exact trajectory.
+    """Draw the worst part of an outcome with its case, or the exact trajectory if there is none.
 
-    Panels show everything; the surroundings of D, if the witness is far away; and the surroundings
-    of the witness, if the error is too small to be visible.
+    The first panel shows everything. Others show the surroundings of D, if the witness is far away,
+    and the surroundings of the witness, if the error is too small to be visible.
     """
     name = outcome.worst["name"] if outcome.worst else "trajectory"
     scene = _scene(case_from_json(outcome.case), outcome, name)
@@ -198,7 +186,7 @@ def _scene(case: Case, outcome: Outcome, name: str) -> _Scene:
 
 
 def _read_rings(outcome: Outcome, name: str) -> tuple[Loop, ...]:
-    """Read the answered rings of a part; () if they are unreadable."""
+    """Read the answered rings of a part; return () if they are unreadable."""
     with suppress(AnswerError):
         return read_loop((outcome.result or {}).get(name), name).rings
     return ()

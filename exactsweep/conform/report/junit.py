@@ -17,11 +17,10 @@ _ERRORS = (Verdict.TIMEOUT, Verdict.MEMORY, Verdict.CRASH)
 
 
 def write_junit(run: Run) -> str:
-    """Write a run as JUnit XML: a test case for each case, with its class as the class name.
+    """Write a run as JUnit XML with a test case for each case and each objection.
 
-    Crashes, timeouts and exceeded memory limits are errors, other failing verdicts are failures,
-    and unjudged cases are skipped. Each other objection to the run is a failing test case, so that
-    no run with exit code 1 is green.
+    Crashes, timeouts and exceeded memory limits are errors, other failing verdicts and objections
+    are failures, and unjudged cases are skipped.
     """
     summary, objections = run.summary, run.find_objections()
     errors = sum(summary.total(v) for v in _ERRORS if fails(v, run.accepted))

@@ -18,9 +18,7 @@ _MOST_LISTED = 20
 
 
 def describe(comparison: Comparison) -> str:
-    """Write a comparison: the verdict, and for each part its verdict, errors and witnesses.
-
-    Distances and areas are rounded to six digits.
+    """Write a comparison: the verdict, and each part with its verdict, errors and witnesses.
 
     Example:
         >>> from exactsweep.conform.judge.compare import compare
@@ -57,7 +55,7 @@ def _part(part: PartComparison) -> list[str]:
 
 
 def tell_witness(witness: Mapping[str, Any]) -> list[str]:
-    """Describe one of `list_witnesses` in one line or two, with the exact verdict of `classify`."""
+    """Describe a witness in one or two lines, with the exact verdict of `classify`."""
     lines = [witness["says"]]
     if witness["translation"] is not None:
         point = f", point ({','.join(witness['point'])})" if witness["point"] is not None else ""
@@ -67,7 +65,7 @@ def tell_witness(witness: Mapping[str, Any]) -> list[str]:
 
 
 def write_table(summary: Tally, terminal_width: int | None = None) -> str:
-    """Write the counts of verdicts for each class and flag, with colors for a terminal.
+    """Write the counts of verdicts for each class and flag, with colors on a terminal.
 
     Example:
         >>> from exactsweep.conform.run.outcome import Outcome
@@ -90,7 +88,7 @@ def write_table(summary: Tally, terminal_width: int | None = None) -> str:
 
 
 def close(run: Run) -> str:
-    """Write the lines below the table: the diagnosis, the faults and the result of the run."""
+    """Write the lines below the table: diagnosis, faults and result."""
     diagnosis = run.summary.diagnosis()
     lines = [] if diagnosis is None else [diagnosis]
     faults = run.list_faults()
@@ -119,5 +117,5 @@ def close(run: Run) -> str:
 
 
 def write_counts(summary: Tally) -> str:
-    """Write the counts of verdicts so far on one line."""
+    """Write the counts of verdicts on one line."""
     return ", ".join(f"{summary.total(verdict)} {verdict}" for verdict in summary.verdicts())

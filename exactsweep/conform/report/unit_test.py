@@ -1,4 +1,4 @@
-"""A failure as source text for a unit test, in the language of the program."""
+"""A failure as source code for a unit test in the language of the program."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ class _Language(NamedTuple):
     """The notation of rings in a language.
 
     Attributes:
-        pattern: of a command or a name of a program in it.
+        pattern: a regular expression for commands and names of programs.
         line: the template of a constant.
         brackets: around a list.
         point: around a point.
@@ -57,7 +57,7 @@ _LANGUAGES = {
 
 
 def guess_language(command: Sequence[str], name: str) -> str:
-    """Guess the language of a program by its command and its name; C++ by default.
+    """Guess the language of a program from its command and name; C++ by default.
 
     >>> guess_language(["node", "mine.js"], "mine"), guess_language(["./mine"], "mine 1.0")
     ('JavaScript', 'C++')
@@ -70,13 +70,6 @@ def write_unit_test(
     shapes: Iterable[tuple[str, PointRings]], language: str, numbers: str, remark: str
 ) -> str:
     """Write rings as constants of a language.
-
-    Args:
-        shapes: names, and rings.
-        language: by `guess_language`.
-        numbers: as for `Hello`; binary64 gets the nearest doubles, followed by the exact vertices
-            if they differ, and rationals are strings.
-        remark: for the first line.
 
     Example:
         >>> from exactsweep import Point

@@ -1,4 +1,4 @@
-"""Lines to and from an untrusted process, with limits on time and memory."""
+"""Exchange of lines with an untrusted process, with limits on time and memory."""
 
 from __future__ import annotations
 
@@ -18,29 +18,25 @@ from exactsweep.processes import Started
 _CHUNK = 65536
 _LAST_CHUNKS = 16
 _LOOKING = 0.2
-"""Seconds between looks at the process."""
+"""Seconds between checks of memory and exit."""
 _TO_EXIT = 1.0
-"""Seconds that a process may take to end after it closed its output."""
+"""Seconds until a process must exit after it closes its output."""
 
 
 class ChannelError(Exception):
-    """A missing line; the message gives the reason.
-
-    Attributes:
-        verdict: on the expected answer.
-    """
+    """A missing line; the message gives the reason, and `verdict` the verdict."""
 
     verdict = Verdict.MALFORMED
 
 
 class SilentError(ChannelError):
-    """No line came in time."""
+    """No line arrives in time."""
 
     verdict = Verdict.TIMEOUT
 
 
 class ClosedError(ChannelError):
-    """The process ended, or closed its output."""
+    """The process exits or closes its output."""
 
     verdict = Verdict.CRASH
 
@@ -50,22 +46,13 @@ class LongLineError(ChannelError):
 
 
 class LargeError(ChannelError):
-    """The process exceeded its memory limit."""
+    """The process exceeds its memory limit."""
 
     verdict = Verdict.MEMORY
 
 
 class Channel:
-    """A process that exchanges lines.
-
-    The buffers are bounded: by `limits` for a line, and by MAX_STDERR for standard error.
-
-    Args:
-        command: the program and its arguments.
-        most: the memory limit in bytes, or None.
-
-    Attributes:
-        peak: the peak memory since the last line was sent, in bytes, or None if unknown.
+    """A process that exchanges lines; `limits` and MAX_STDERR bound its buffers.
 
     Raises:
         OSError: the process cannot be started.
@@ -96,16 +83,13 @@ class Channel:
         self.peak = None
 
     def receive(self, seconds: float) -> str:
-        """Wait for a line.
-
-        Returns:
-            The line without its end; bytes that are not UTF-8 are replaced.
+        """Wait for a line; return it without its end, with invalid UTF-8 replaced.
 
         Raises:
-            SilentError: no line came within these seconds.
-            ClosedError: the output ended before the line did.
+            SilentError: no line arrives within these seconds.
+            ClosedError: the output ends before the line.
             LongLineError: the line is too long.
-            LargeError: the process exceeded its memory limit.
+            LargeError: the process exceeds its memory limit.
         """
         now = time.monotonic()
         deadline, look = now + seconds, now + _LOOKING
@@ -123,10 +107,10 @@ class Channel:
             self._transfer(deadline - now)
 
     def finish(self, line: str, seconds: float) -> str | None:
-        """Send a last line, close the input, wait for the end of the process, and kill the rest.
+        """Send a last line, close the input, wait for the exit, and kill all descendants.
 
         Returns:
-            None if it wrote nothing more and ended with exit code 0; otherwise a complaint.
+            None if the process writes nothing more and exits with code 0; otherwise a complaint.
         """
         self.send(line)
         self._closing = True
@@ -201,7 +185,7 @@ class Channel:
         try:
             del self._outgoing[: os.write(self._stdin, self._outgoing[:_CHUNK])]
         except BrokenPipeError:
-            # It may still answer a line that it has read.
+            # It may still answer an earlier line.
             self._outgoing.clear()
         if not self._outgoing:
             self._selector.unregister(self._stdin)
@@ -217,7 +201,7 @@ class Channel:
 
     def _end(self) -> str:
         code = self._started.wait(_TO_EXIT)
-        # Its last output is in the pipe; a descendant may still be writing.
+        # The pipe has its last output; a descendant may still be writing.
         with suppress(OSError, KeyError):
             for _ in range(_LAST_CHUNKS):
                 self._stderr = (self._stderr + self._read(self._errors))[-MAX_STDERR:]

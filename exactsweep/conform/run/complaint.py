@@ -1,7 +1,7 @@
 """The line of standard error that names the error of a failed program.
 
-Runtimes write it in different places: Python last, Node and Java before the stack, Rust in two
-lines, sanitizers above a report of a hundred lines.
+Python writes it last, Node and Java before the stack, Rust in two lines, and sanitizers above a
+long report.
 """
 
 from __future__ import annotations
@@ -23,14 +23,14 @@ _NAMED = re.compile(
     """,
     re.VERBOSE,
 )
-"""A line that names an error: of Node, Java, C#, Python, sanitizers, Go, assert or valgrind."""
+"""A line that names an error of Node, Java, C#, Python, sanitizers, Go, assert or valgrind."""
 _TRAILER = re.compile(
     r"^(?:Node\.js v\d|note: run with `RUST_BACKTRACE|stack backtrace:|\(Use `node --trace|"
     r"Aborted|Segmentation fault|==\d+==\s*ABORTING|=+$|\s*at |-+ \w+ stack trace -|\s*\d+: )"
 )
-"""A line below the error without information."""
+"""A line without information below the error."""
 _CARET = re.compile(r"^\s*\^+$")
-"""A line below the source line of an error, which follows it."""
+"""The line between the source line of an error and its name."""
 _REJECTED = re.compile(r'rejected with the reason "(.*)"')
 _PLACES = (
     re.compile(r'File "(?:[^"]*[/\\])?([^"/\\]*)", line (\d+)'),
@@ -39,15 +39,10 @@ _PLACES = (
 
 
 def find_error(stderr: str) -> str:
-    r"""Return the line of standard error that names the error.
+    r"""Find the line of standard error that names the error, or "".
 
-    Args:
-        stderr: the end of the standard error of a program.
-
-    Returns:
-        The last line of a Python traceback; otherwise the first line that looks like an error;
-        otherwise the last line that is no common trailer; "" if there is none. A panic of Rust and
-        an exception of C++ are joined from two lines.
+    This is the last line of a Python traceback, else the first line that looks like an error, else
+    the last line with information. Rust panics and C++ exceptions are joined from two lines.
 
     Example:
         >>> find_error("TypeError: not a BigInt\n    at f.js:1\n\nNode.js v20.1.0")
@@ -58,7 +53,7 @@ def find_error(stderr: str) -> str:
     lines = [line.rstrip() for line in stderr.splitlines() if line.strip()]
     if _TRACEBACK in lines:
         named = [line for line in lines[lines.index(_TRACEBACK) :] if _NAMED.search(line)]
-        # An exception of its own name is the last line, too.
+        # An exception with another name is on the last line.
         return (named or lines)[-1].strip()
     for line, after in zip(lines, [*lines, ""][1:], strict=True):
         if _PANIC.match(line):
@@ -76,7 +71,7 @@ def find_error(stderr: str) -> str:
 
 
 def find_place(stderr: str) -> str:
-    r"""Return the file and line that a stack names as the place of the error, or "".
+    r"""Find the file and line of the error in a stack trace, or "".
 
     >>> find_place('  File "/app/nfp.py", line 7, in slide\nKeyError: 12')
     'nfp.py line 7'

@@ -1,9 +1,8 @@
-"""Classification of failures by the fault behind them.
+"""Classification of failures by their fault.
 
-Two failures have the same fault if they have the same verdict on the same part, the same kinds of
-witness, and the same reason except for numbers and quoted values. Crashes have the same fault if
-they have the same exit code or signal, the same error on standard error, likewise, and the same
-place in the program, if it is named.
+Two failures have the same fault if their verdict, part and kinds of witness are the same, and their
+reasons differ in numbers and quoted values only. For crashes, the exit code or signal, the error on
+standard error and the place in the stack trace must be the same.
 """
 
 from __future__ import annotations
@@ -18,11 +17,11 @@ from exactsweep.conform.run.complaint import find_error, find_place
 from exactsweep.conform.run.peer import cut
 
 _ENDED = ("exited with code", "was killed by signal")
-# A line of a source file is a place and stays; other numbers differ from case to case.
+# Line numbers of source files stay; other numbers depend on the case.
 _NUMBER = re.compile(
     r"(\bline \d+|[\w/\\-]+\.[A-Za-z]\w*:\d+)|0x[0-9a-fA-F]+|\d+(?:[./]\d+)*(?:[eE][+-]?\d+)?"
 )
-# A value is quoted on one line; an apostrophe between letters quotes nothing.
+# An apostrophe between letters is no quotation mark.
 _QUOTED = re.compile(r"""(?<!\w)'[^']*'(?!\w)|"[^"]*"|`[^`]*`""")
 
 
@@ -33,17 +32,7 @@ def name_fault(
     stderr: str = "",
     id: str = "",
 ) -> str:
-    r"""Name the fault behind a failure.
-
-    Args:
-        verdict: on the case.
-        reason: one line.
-        parts: what `PartComparison.to_json` gives, for each part.
-        stderr: the end of the program's standard error.
-        id: of the case, which is replaced where it is quoted.
-
-    Returns:
-        One line, the same for failures of the same kind; for an answer that passes, the verdict.
+    r"""Name the fault of a failure in one line; return the verdict of a right answer.
 
     Example:
         >>> name_fault(Verdict.CRASH, "says: division by zero in row 12")
@@ -60,7 +49,7 @@ def name_fault(
     if worst is not None:
         said = [_name_difference(worst)]
     elif reason.startswith(_ENDED):
-        # Its error follows the code; `stderr` holds it in full.
+        # The reason has a shortened error.
         said = [reason.partition(";")[0], _forget_values(find_error(stderr)), find_place(stderr)]
     else:
         said = [_forget_values(reason), find_place(stderr)]
@@ -80,7 +69,7 @@ def _forget_values(text: str) -> str:
 
 
 def write_cause(text: str) -> str:
-    """Write a diagnosis without numbers, as `name_fault` does.
+    """Replace the numbers of a diagnosis.
 
     >>> write_cause("translated by (3,-1/2)")
     'translated by (#,-#)'

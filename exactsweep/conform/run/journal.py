@@ -1,4 +1,4 @@
-"""The journal of a run: JSON lines, one for each outcome."""
+"""The journal of a run: a JSON line for each outcome."""
 
 from __future__ import annotations
 
@@ -24,24 +24,17 @@ _WORDS = {"hello": "implementation", "seconds": "timeout"}
 
 
 class JournalError(ExactSweepError):
-    """A journal that cannot be started, continued or read; the message gives the reason."""
+    """A journal that cannot be started, resumed or read; the message gives the reason."""
 
 
 class Journal:
-    """A journal to write; a context manager.
+    """A context manager that writes a journal.
 
-    Every line is flushed at once, so it survives the end of this process. Only the last line may be
-    incomplete; resuming drops it.
-
-    Args:
-        path: the file.
-        terms: the judged command and its limits; a journal with other terms is refused.
-        hello: the program's hello, likewise.
-        resume: whether to continue an existing file.
+    Each line is flushed at once; resuming drops an incomplete last line.
 
     Raises:
-        JournalError: the file exists and `resume` is false; it is no journal, or that of another
-            run; it cannot be read or written.
+        JournalError: the file exists and `resume` is false, it is no journal of this run, or it
+            cannot be read or written.
     """
 
     def __init__(self, path: Path, terms: Terms, hello: Hello, *, resume: bool = False) -> None:
@@ -86,7 +79,7 @@ class Journal:
             self._file.close()
 
     def _begin(self, head: Mapping[str, Any]) -> None:
-        """Write the head, or continue after the last complete line."""
+        """Write the head, or resume after the last complete line."""
         if not lock(self._file):
             raise JournalError(f"{self._name}: another run is writing to it")
         self._file.seek(0)
@@ -96,11 +89,11 @@ class Journal:
             self._write(head)
 
     def _read(self, head: Mapping[str, Any]) -> int:
-        """Read earlier outcomes; return where the last complete line ends."""
+        """Index earlier outcomes; return the end of the last complete line."""
         whole, most = 0, get_max_bytes()
         for number, line in enumerate(iter(lambda: self._file.readline(most), b""), start=1):
             is_cut = not line.endswith(b"\n") and len(line) < most
-            # Without a complete line this may be any file, which must not be lost.
+            # A file without a complete line may be no journal.
             if is_cut and (number > 1 or _line(head).startswith(line)):
                 break
             try:

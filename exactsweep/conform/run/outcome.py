@@ -22,7 +22,7 @@ from exactsweep.corpus import Case, case_from_json, case_to_json
 from exactsweep.numbers.error import ExactSweepError
 
 TO_COMPARE = 60.0
-"""CPU seconds per comparison; work bounds normally stop earlier."""
+"""CPU seconds per comparison; work bounds usually stop it earlier."""
 _MAX_RESULT = 65536
 """Maximum number of characters of a kept answer."""
 
@@ -37,15 +37,15 @@ class Outcome:
         flags: its flags.
         verdict: the verdict.
         reason: one line.
-        fault: by `name_fault`: the same for failures of the same kind.
-        diagnosis: the questions to which the worst part is exact, the likeliest first.
+        fault: by `name_fault`.
+        diagnosis: that of the worst part.
         seconds: the time of the answer.
-        memory: the program's peak memory meanwhile, in bytes, or None if unknown.
-        digest: a hash of the given case.
+        memory: the program's peak memory in bytes, or None if unknown.
+        digest: a hash of the original case.
         parts: each part by `PartComparison.to_json`; empty for exact and equivalent answers.
-        case: the case as the program got it, by `case_to_json`; None if the answer is exact or
-            equivalent, or the case was not asked.
-        result: the answer, likewise; None if it is too long.
+        case: the adapted case by `case_to_json`; None for exact, equivalent and unsupported
+            answers.
+        result: the answer; None for the same answers, or if it is too long.
         stderr: the end of the program's standard error, if it failed.
     """
 
@@ -70,16 +70,16 @@ class Outcome:
 
     @property
     def size(self) -> int:
-        """The number of vertices of D and G without holes; 0 if the case is not kept."""
+        """The number of vertices of D and G without holes; 0 without a case."""
         return len(self.case["directrix"]) + len(self.case["generatrix"]) if self.case else 0
 
     @property
     def worst(self) -> Mapping[str, Any] | None:
-        """The first of the worst parts; None without parts."""
+        """The first part with the worst verdict; None if there are no parts."""
         return max(self.parts, key=lambda part: Verdict(part["verdict"]).severity, default=None)
 
     def lead_with(self, cause: str | None) -> Outcome:
-        """Return the outcome with one of its diagnoses first, if it has it."""
+        """Return the outcome with a given diagnosis first, if it has that one."""
         if cause not in self.diagnosis[1:]:
             return self
         first, parts = self.diagnosis[0], []
@@ -100,7 +100,7 @@ class Outcome:
 
 
 def outcome_from_json(data: Mapping[str, Any]) -> Outcome:
-    """Read the result of `Outcome.to_json`; raise ValueError for anything else."""
+    """Read the result of `Outcome.to_json`; raise ExactSweepError if it is invalid."""
     try:
         parts = {**data, "verdict": Verdict(data["verdict"])}
         for name in ("flags", "parts", "diagnosis"):
@@ -111,12 +111,12 @@ def outcome_from_json(data: Mapping[str, Any]) -> Outcome:
 
 
 def list_witnesses(part: Mapping[str, Any]) -> list[Mapping[str, Any]]:
-    """Return the witnesses of a part of an outcome, that of overlap first."""
+    """List the witnesses of a part of an outcome, overlap first."""
     return [part[name] for name in ("unsound", "conservative") if part[name]]
 
 
 def judge_case(peer: Peer, case: Case, rounding: Fraction | None = None) -> Outcome:
-    """Ask a program a case and judge its answer; `rounding` as for `compare`."""
+    """Send a program a case and judge its answer; `rounding` as for `compare`."""
     return judge_answer(case, *ask(peer, case), peer.hello, rounding)
 
 
@@ -132,7 +132,7 @@ def ask(peer: Peer, case: Case) -> tuple[Case, Answer]:
 def judge_answer(
     case: Case, put: Case, answer: Answer, hello: Hello, rounding: Fraction | None = None
 ) -> Outcome:
-    """Judge the answer to `put`, a case adapted to the hello; `rounding` as for `compare`."""
+    """Judge the answer to a case, adapted as `put`; `rounding` as for `compare`."""
     if answer.result is None:
         assert answer.verdict is not None
         comparison = Comparison(case.id, answer.verdict, answer.reason)
@@ -163,7 +163,7 @@ def judge_answer(
 
 
 def compare_in_time(case: Case, result: object, **options: Any) -> Comparison:
-    """Compare an answer by `compare`; undecided after TO_COMPARE seconds, in the main thread."""
+    """Compare an answer by `compare`; in the main thread, undecided after TO_COMPARE seconds."""
     try:
         with stop_after(TO_COMPARE):
             return compare(case, result, **options)
@@ -173,12 +173,12 @@ def compare_in_time(case: Case, result: object, **options: Any) -> Comparison:
 
 
 class OvertimeError(Exception):
-    """A computation that took too long."""
+    """A computation that takes too long."""
 
 
 @contextmanager
 def stop_after(seconds: float) -> Iterator[None]:
-    """Raise OvertimeError in a `with` block after CPU seconds, in the main thread.
+    """Raise OvertimeError in a `with` block of the main thread after CPU seconds.
 
     Example:
         >>> with stop_after(0.01):
@@ -207,7 +207,7 @@ def stop_after(seconds: float) -> Iterator[None]:
 def shrink_outcome(
     peer: Peer, outcome: Outcome, seconds: float, rounding: Fraction | None = None
 ) -> Outcome:
-    """Return the outcome of the smallest case found, within seconds, that shows the same fault."""
+    """Search for a smaller case with the same fault within seconds; return its outcome."""
 
     def judge(case: Case) -> Outcome:
         return judge_case(peer, case, rounding)

@@ -1,4 +1,4 @@
-"""A program as the runner sees it: a peer that can be asked."""
+"""Peers: programs that answer cases."""
 
 from __future__ import annotations
 
@@ -29,16 +29,7 @@ Function = Callable[..., Any]
 
 
 class Answer(NamedTuple):
-    """The reply to a question: a result to compare, or a verdict and its reason.
-
-    Attributes:
-        result: plain data, or None.
-        verdict: if there is no result.
-        reason: one line, likewise.
-        seconds: the time of the answer.
-        memory: the program's peak memory meanwhile, in bytes, or None if unknown.
-        stderr: the end of the standard error, if the program failed.
-    """
+    """The reply of a peer: a result to compare, or a verdict with its reason."""
 
     result: Mapping[str, Any] | None = None
     verdict: Verdict | None = None
@@ -49,16 +40,16 @@ class Answer(NamedTuple):
 
 
 class Peer(Protocol):
-    """A program that can be asked."""
+    """A program that answers cases."""
 
     hello: Hello
 
     def ask(self, case: Case) -> Answer:
-        """Ask an adapted case."""
+        """Answer an adapted case."""
 
 
 def read_answer(result: Mapping[str, Any]) -> Answer:
-    """Classify an answer: a result, unsupported, or an error."""
+    """Classify an answer as a result, unsupported or an error."""
     for name, verdict in (("unsupported", Verdict.UNSUPPORTED), ("error", Verdict.CRASH)):
         if name in result:
             said = result[name]
@@ -68,7 +59,7 @@ def read_answer(result: Mapping[str, Any]) -> Answer:
 
 
 def cut(reason: str) -> str:
-    """Return an untrusted message on one line, shortened, without control characters.
+    """Shorten an untrusted message to one line without control characters.
 
     >>> cut("first   second ") + cut(chr(27))
     'first second�'
@@ -77,18 +68,14 @@ def cut(reason: str) -> str:
 
 
 def replace_controls(text: str) -> str:
-    """Return an untrusted text without control characters other than line ends and tabs."""
+    """Replace control characters of an untrusted text, except line ends and tabs."""
     return "".join(
         c if c.isprintable() or c in "\n\t" else "\N{REPLACEMENT CHARACTER}" for c in text
     )
 
 
 def make_plain(value: Any) -> Any:
-    """Return vertices and rings in any form as lists, and other values unchanged.
-
-    Args:
-        value: a Polygon or a Region; an array or a number of numpy; geometry of shapely or its
-            coordinates; an iterable of these; or anything.
+    """Convert vertices and rings of any type to lists; leave other values unchanged.
 
     Example:
         >>> make_plain(iter([(0, 0), range(2)]))
@@ -120,13 +107,7 @@ def _list_rings(shape: Mapping[str, Any]) -> list[Any]:
 
 
 class CallablePeer:
-    """A function in this process. It cannot be stopped: the verdict timeout comes with the answer.
-
-    Args:
-        function: as for `conform`.
-        hello: its hello.
-        seconds: the time limit of an answer.
-    """
+    """A function in this process, which cannot be stopped: a timeout is detected afterwards."""
 
     def __init__(self, function: Function, hello: Hello, seconds: float = SECONDS) -> None:
         self._function, self._seconds = function, seconds
@@ -153,10 +134,10 @@ class CallablePeer:
                 result = {name: make_plain(value) for name, value in result.items()}
         except NotImplementedError as error:
             return Answer(verdict=Verdict.UNSUPPORTED, reason=cut(str(error)))
-        except (Exception, SystemExit) as error:  # any failure is its answer
+        except (Exception, SystemExit) as error:
             reason = cut(f"{type(error).__name__}: {error}")
             seconds = time.monotonic() - began
-            # The innermost frames distinguish faults.
+            # The innermost frames identify the fault.
             said = traceback.format_exc()[-MAX_STDERR:]
             return Answer(verdict=Verdict.CRASH, reason=reason, seconds=seconds, stderr=said)
         seconds = time.monotonic() - began

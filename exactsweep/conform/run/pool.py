@@ -18,28 +18,24 @@ from exactsweep.processes import Pool
 
 _ENDED = "a judging process ended"
 
-# The id of a case, and what a process is to call for it.
+# The id of a case, a function and its arguments.
 _Call = tuple[str, Callable[..., Outcome], tuple[object, ...]]
 
 
 class JudgeError(ExactSweepError):
-    """A failure of judging, not of the program; the message gives the reason."""
+    """A failure of the judge, not of the program; the message gives the reason."""
 
 
 class Judges:
-    """A program, started once for each judging process; `close` ends all of them.
-
-    Args:
-        terms: the program and its limits.
-        workers: the number of judging processes.
+    """Judging processes, each with its own copy of a program; `close` ends all of them.
 
     Attributes:
         hello: the program's hello.
-        complaints: errors at the end of its processes; complete after `finish`.
+        complaints: errors when its processes end; complete after `finish`.
 
     Raises:
         ProtocolError: the program cannot be started, or its hellos are missing or differ.
-        JudgeError: a judging process was killed, or cannot be started.
+        JudgeError: a judging process is killed or cannot be started.
     """
 
     def __init__(self, terms: Terms, workers: int = 1) -> None:
@@ -58,10 +54,10 @@ class Judges:
             raise
 
     def judge(self, cases: Iterable[Case]) -> Iterator[Outcome]:
-        """Yield the outcomes of cases as they are ready.
+        """Yield the outcomes of cases as they arrive.
 
         Raises:
-            JudgeError: a case cannot be judged; unfinished outcomes are lost.
+            JudgeError: a case cannot be judged; pending outcomes are lost.
         """
         jobs: Iterator[_Call] = ((case.id, _judge, (case,)) for case in cases)
         return (outcome for _, outcome in self._work_on(jobs))
@@ -69,17 +65,13 @@ class Judges:
     def shrink(self, outcomes: Iterable[Outcome], seconds: float) -> Iterator[tuple[str, Outcome]]:
         """Yield the ids of failed cases with the outcomes of smaller cases.
 
-        Args:
-            outcomes: those of failed cases, each with its case.
-            seconds: the limit of each search.
-
         Raises:
             JudgeError: as by `judge`.
         """
         return self._work_on((outcome.id, _shrink, (outcome, seconds)) for outcome in outcomes)
 
     def finish(self) -> None:
-        """Say bye to the program, and collect `complaints`; raise JudgeError as `judge` does."""
+        """Send bye to the program and collect `complaints`; raise JudgeError as `judge` does."""
         self.complaints += filter(None, self._call_in_each(_finish))
 
     def close(self) -> None:
@@ -88,7 +80,7 @@ class Judges:
 
     def _work_on(self, jobs: Iterable[_Call]) -> Iterator[tuple[str, Outcome]]:
         jobs, pending = iter(jobs), dict[Future[Outcome], str]()
-        # One more for each process, so that none waits for the next case.
+        # One spare case for each process.
         most = 2 * self._pool.count  # pragma: no mutate: costs only time
         while (fresh := [*islice(jobs, most - len(pending))]) or pending:
             try:

@@ -31,18 +31,11 @@ from exactsweep.numbers.error import quote
 TO_START = 30.0
 """Time limit of the hello, in seconds."""
 TO_END = 2.0
-"""Time limit of the end after bye, in seconds."""
+"""Time limit of the exit after bye, in seconds."""
 
 
 class Terms(NamedTuple):
-    """The terms on which a program is judged.
-
-    Attributes:
-        command: the program and its arguments.
-        seconds: the time limit of an answer.
-        rounding: the bound that coordinate errors must stay below, as for `compare`.
-        most: the memory limit of each process in bytes, or None.
-    """
+    """A program and its limits."""
 
     command: Sequence[str]
     seconds: float = SECONDS
@@ -53,12 +46,8 @@ class Terms(NamedTuple):
 class ProcessPeer:
     """A process that speaks the protocol; restarted after each failure.
 
-    Args:
-        terms: the program and its limits.
-        to_start: the time limit of the hello, in seconds.
-
     Raises:
-        ProtocolError: it cannot be started, or says no hello.
+        ProtocolError: it cannot be started, or sends no hello.
     """
 
     def __init__(self, terms: Terms, to_start: float = TO_START) -> None:
@@ -67,7 +56,7 @@ class ProcessPeer:
         self.hello = self._start()
 
     def ask(self, case: Case) -> Answer:
-        """Ask an adapted case."""
+        """Send an adapted case and wait for the answer."""
         try:
             self._restart()
         except ProtocolError as error:
@@ -79,7 +68,7 @@ class ProcessPeer:
         return answer._replace(seconds=time.monotonic() - began, memory=channel.peak)
 
     def close(self) -> str | None:
-        """Say bye, and wait for the end or kill the process; return a complaint, if any."""
+        """Send bye, and wait for the exit or kill the process; return a complaint, if any."""
         channel, self._channel = self._channel, None
         if channel is None:
             return None

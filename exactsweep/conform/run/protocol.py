@@ -1,8 +1,4 @@
-"""The protocol between the runner and a program: JSON lines in both directions.
-
-PROTOCOL.md specifies it. The program first writes a hello. Then the runner sends one case per line,
-waits for one line of answer, and at the end sends a last line.
-"""
+"""The protocol between the runner and a program, which PROTOCOL.md specifies."""
 
 from __future__ import annotations
 
@@ -50,18 +46,11 @@ class Hello:
 
     Attributes:
         name: its name and version, for the report.
-        loops: the loops of a sweep that it answers, of "trajectory", "inner", "outer"; () if
-            `questions` has no "sweep".
-        numbers: the numbers that it reads. "rational": any. "integer", "int64", "int32": cases are
-            scaled to integers, and cases beyond the type are skipped. "binary64": cases are scaled
-            to integers unless the type represents their numbers exactly.
-        reference: the point of G whose path its trajectory is. "given": the case's. "origin": the
-            point (0, 0) in the coordinates of G. "first": the first vertex of G. The cases are sent
-            with that reference point.
-        questions: of "sweep"; "no_fit", the no-fit polygon with its holes; "minkowski_sum", the sum
-            of the shapes a and b, which are D and -G; and "inner_fit", the positions of G inside D.
-        shapes: the pairs that it accepts, each kind including those before it: "convex";
-            "monotone", to one direction; "simple", without holes; "any".
+        loops: the loops of a sweep that it computes, some of `LOOPS`; () without sweeps.
+        numbers: the numbers that it reads, one of `NUMBERS`.
+        reference: its reference point of G, one of `REFERENCES`.
+        questions: some of `QUESTIONS`.
+        shapes: the pairs that it accepts, one of `SHAPES`.
     """
 
     name: str
@@ -72,7 +61,7 @@ class Hello:
     shapes: Shapes = "monotone"
 
     def parts(self, case: Case) -> tuple[str, ...]:
-        """Return the parts of an answer to a case: loops of a sweep, and other questions."""
+        """List the parts of an answer to a case: loops of a sweep, and other questions."""
         others = {"sweep"} if case.inner_regions is not None else {"sweep", "inner_fit"}
         return (*self.loops, *(name for name in self.questions if name not in others))
 
@@ -89,7 +78,7 @@ class Hello:
 
 
 def make_hello(said: Mapping[str, object]) -> Hello:
-    """Make a Hello from the members of the first line; raise ProtocolError if they are invalid."""
+    """Make a Hello of the members of the first line; raise ProtocolError if they are invalid."""
     for member in said:
         if member not in _MEMBERS:
             raise ProtocolError(f"the hello has {quote(member)}{suggest(member, _MEMBERS)}")
@@ -129,7 +118,7 @@ def _choose_some(
 
 
 def read_hello(line: str) -> Hello:
-    """Read the first line of a program; raise ProtocolError if it is no hello.
+    """Read the hello of a program; raise ProtocolError if it is invalid.
 
     Example:
         >>> read_hello('{"hello": "mine", "loops": ["inner"], "numbers": "int64"}')
@@ -174,16 +163,16 @@ def write_case_line(case: Case, hello: Hello) -> str:
 
 
 def list_reflected_rings(case: Case) -> tuple[Loop, ...]:
-    """Return the rings of -G, the second summand of a Minkowski sum, as given."""
+    """List the rings of -G, the second summand of a Minkowski sum."""
     return tuple(tuple(Point(-x, -y) for x, y in ring) for ring in case.generatrix_rings)
 
 
 def read_object(line: str) -> dict[str, Any]:
-    """Read a JSON object; raise ProtocolError for any other line, and quote its start."""
+    """Read a JSON object; raise ProtocolError for any other line."""
     try:
         found = parse_certificate(line)
     except FormatError as error:
-        # The only line of the parser's input is no useful place.
+        # The input has only one line.
         reason = str(error).removeprefix("line 1, ")
         raise ProtocolError(f"{quote(line)} is not a line of JSON: {reason}") from None
     if not isinstance(found, dict):
@@ -200,18 +189,15 @@ def read_reply(line: str) -> dict[str, Any]:
 
 
 class UnsupportedError(ExactSweepError):
-    """A case that the hello of a program excludes."""
+    """A case that the program's hello excludes."""
 
 
 def adapt(case: Case, hello: Hello) -> Case:
-    """Return the case as a program gets it, with the expected answers.
-
-    It has the reference point that the program uses, and is multiplied by `integer_scale` if the
-    numbers of the program need that.
+    """Adapt a case and its answers to a program: set the reference point, and scale if necessary.
 
     Raises:
         UnsupportedError: the program does not accept such shapes, none of its questions applies, or
-            its numbers do not represent the case, multiplied or not.
+            its numbers do not represent the case.
 
     Example:
         >>> case = Case.of("a", "", [(0, 0), ("1/2", 0), (0, 1)], [(1, 1), (2, 1), (1, 2)])
@@ -251,11 +237,11 @@ _FIXED = (
     *("directrix_ring", "directrix_holes", "generatrix_ring", "generatrix_holes"),
     *("inner", "outer", "unswept"),
 )
-"""Members of a case that are no positions of the reference point."""
+"""Members of a case that do not depend on the reference point."""
 
 
 def _transform(case: Case, k: int | Fraction = 1, by: Point = ORIGIN) -> Case:
-    """Return the case with polygons p as k p and positions t as k t + by."""
+    """Scale polygons p to k p, and map positions t to k t + by."""
     if (k, by) == (1, ORIGIN):
         return case
 

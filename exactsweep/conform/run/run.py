@@ -16,21 +16,14 @@ from exactsweep.numbers.digits import format_fraction
 from exactsweep.words import count
 
 SHOWN = 5
-"""Number of failures kept in full for each fault, the smallest."""
+"""Maximum number of failures kept in full for each fault."""
 MOST_FAULTS = 40
-"""Number of faults that a run distinguishes; it groups the others by verdict."""
+"""Maximum number of faults; others are grouped by verdict."""
 
 
 @dataclass
 class NamedFault:
-    """Failures that show the same fault.
-
-    Attributes:
-        verdict: of all of them.
-        name: by `name_fault`.
-        count: their number.
-        kept: the smallest ones in full, in order.
-    """
+    """Failures with the same fault."""
 
     verdict: Verdict
     name: str
@@ -38,13 +31,13 @@ class NamedFault:
     kept: list[Outcome] = field(default_factory=list)
 
     def add(self, outcomes: Iterable[Outcome], count: int = 1) -> None:
-        """Count failures, and keep the smallest."""
+        """Count failures, and keep the smallest ones."""
         self.kept = sorted([*self.kept, *outcomes], key=lambda outcome: outcome.size)[:SHOWN]
         self.count += count
 
 
 class Run:
-    """The outcomes of a program; most of them without their case and answer, to save memory.
+    """The outcomes of a program.
 
     Args:
         hello: the program's hello.
@@ -53,11 +46,11 @@ class Run:
         least_judged: the fraction of the cases that must be judged for the run to pass.
 
     Attributes:
-        outcomes: list of all outcomes, without the case, the answer and the measurements.
-        shrunk: dict from the id of a case to the outcome of a smaller one with the same fault.
+        outcomes: list of all outcomes without the case, the answer and the parts, to save memory.
+        shrunk: dict from the id of a case to the outcome of a smaller case with the same fault.
         summary: the counts.
         complaints: list of other errors, one line each.
-        interrupted: whether the run was stopped before its end.
+        interrupted: whether the run stopped early.
     """
 
     def __init__(
@@ -88,9 +81,9 @@ class Run:
             self._faults.setdefault(name, NamedFault(outcome.verdict, name)).add([outcome])
 
     def list_faults(self) -> list[NamedFault]:
-        """Return the failures grouped by fault, the worst verdict first.
+        """List the failures by fault, the worst verdict first.
 
-        A cause that explains all differing answers of the run is the fault of all.
+        A diagnosis that explains all differing answers of the run comes first in each fault.
         """
         cause = self.summary.find_cause()
         found: dict[str, NamedFault] = {}
@@ -101,18 +94,18 @@ class Run:
         return sorted(found.values(), key=lambda f: (-f.verdict.severity, -f.count))
 
     def list_outcomes(self) -> Iterator[Outcome]:
-        """Yield all outcomes, some of them in full."""
+        """Yield all outcomes, in full if they are kept."""
         cause = self.summary.find_cause()
         whole = {outcome.id: outcome for outcome in self.show()}
         return (whole.get(bare.id) or bare.lead_with(cause) for bare in self.outcomes)
 
     def show(self) -> Iterator[Outcome]:
-        """Yield the failures kept in full, fault by fault, the smallest first."""
+        """Yield the failures kept in full by fault, the smallest first."""
         for fault in self.list_faults():
             yield from fault.kept
 
     def to_be_smaller(self, number: int) -> list[Outcome]:
-        """Return the smallest failures of each fault, except those that take long to fail."""
+        """List the smallest failures of each fault, except timeouts and memory limits."""
         return [
             outcome
             for fault in self.list_faults()
@@ -121,14 +114,14 @@ class Run:
         ]
 
     def add_smaller(self, id: str, outcome: Outcome) -> None:
-        """Add the outcome of a smaller case, if the program shows the same fault again."""
+        """Add the outcome of a smaller case if it has the same fault."""
         (fault,) = (found.fault for found in self.show() if found.id == id)
         smaller = outcome.lead_with(self.summary.find_cause())
         if smaller.fault == fault:
             self.shrunk[id] = smaller
 
     def find_objections(self) -> list[str]:
-        """List the errors of the run other than failures, one line each."""
+        """List the errors of the run other than failures."""
         judged, total = self.summary.judged, self.summary.total()
         lines = [*self.complaints, *(["interrupted"] if self.interrupted else [])]
         if not judged:
@@ -143,7 +136,7 @@ class Run:
         return not self.summary.failures(self.accepted) and not self.find_objections()
 
     def to_json(self) -> dict[str, Any]:
-        """Return plain data, numbers of the geometry as strings."""
+        """Return plain data with coordinates as strings."""
         summary = self.summary
         return {
             "format": "exactsweep conform report",

@@ -1,4 +1,4 @@
-"""The runner, which asks cases and collects outcomes."""
+"""The runner, which sends cases and collects outcomes."""
 
 from __future__ import annotations
 
@@ -17,9 +17,9 @@ from exactsweep.corpus.selection import require_distinct
 from exactsweep.numbers.error import tells_arguments
 
 TO_MAKE_SMALLER = 20.0
-"""Time limit of the reduction of one failure, in seconds."""
+"""Time limit for shrinking one failure, in seconds."""
 MOST_TO_MAKE_SMALLER = 120.0
-"""Time limit of all reductions, in seconds."""
+"""Time limit for shrinking all failures, in seconds."""
 
 
 def judge_cases(
@@ -31,18 +31,10 @@ def judge_cases(
     tell: Callable[[], None] = lambda: None,
     made_smaller: int = 0,
 ) -> None:
-    """Ask a program cases and collect the outcomes.
+    """Send cases to a program and collect the outcomes.
 
-    Cases in the journal are not asked again. Ctrl-C and a case that cannot be judged end the run
-    early; the outcomes so far are kept.
-
-    Args:
-        run: collects the outcomes.
-        judges: the program.
-        cases: the cases.
-        journal: the file that records each outcome at once.
-        tell: a function to call after each outcome.
-        made_smaller: the number of failures of each fault to shrink.
+    Cases in the journal are skipped. Ctrl-C and a case that cannot be judged end the run early; the
+    outcomes so far are kept.
     """
 
     def skip_old(cases: Iterable[Case]) -> Iterator[Case]:
@@ -94,26 +86,25 @@ def conform(
     """Judge a Python function by exact answers, in this process.
 
     Args:
-        function: of directrix, generatrix and reference: lists of (x, y), and (x, y); int for the
-            integer numbers, float for "binary64", else Fraction; if `shapes` is "any", polygons are
-            lists of rings, the exterior first. If "minkowski_sum" is the only question, it gets a
-            and b instead. It returns the members of an answer of the protocol without the id, or
-            the only member; vertices in any form that `make_plain` reads, numbers as `to_fraction`
-            reads them. An exception is a crash; NotImplementedError is unsupported.
+        function: takes the directrix and the generatrix, each a list of (x, y), or a list of rings
+            if `shapes` is "any"; and the reference point (x, y). If "minkowski_sum" is the only
+            question, it takes a and b instead. Coordinates are int, float or Fraction, depending on
+            `numbers`. It returns the members of an answer of the protocol without the id, or its
+            only member, with vertices of any type that `make_plain` reads. An exception is a crash;
+            NotImplementedError means unsupported.
         cases: the cases.
-        name: of the program.
-        loops: as for `Hello`, likewise the next four.
-        numbers: the numbers that the function gets.
-        reference: the point of G whose path it answers.
+        name: the name of the program.
+        loops: as for `Hello`; also the next four.
+        numbers: the numbers that the function takes.
+        reference: its reference point of G.
         questions: its questions.
         shapes: the pairs that it accepts.
-        seconds: the time limit of an answer. A function cannot be stopped: the verdict timeout
-            comes with the late answer.
-        accepted: the worst verdict that passes; with Verdict.EQUIVALENT, lost exact fits fail.
+        seconds: the time limit of an answer; a function is not stopped.
+        accepted: the worst verdict that passes.
         made_smaller: the number of failures of each fault to shrink.
 
     Returns:
-        A Run; `exactsweep.conform.report` writes it for people and for CI.
+        A Run; `exactsweep.conform.report` writes reports of it.
 
     Raises:
         ProtocolError: the loops, numbers, reference, questions or shapes are invalid.

@@ -1,11 +1,8 @@
 """Reduction of failing cases to smaller ones with the same fault.
 
-The search is greedy and runs in rounds until a round changes nothing. It removes vertices, many at
-once and then one by one; moves the pair to the origin and divides by common factors; and shortens
-numbers, all together and then one by one. A candidate replaces the case if it is smaller, `sweep`
-accepts it, it shows the same fault, and all its flags are flags of the case: a lost notch must not
-become a repeated vertex, which is another fault. Candidates decrease in a total order, by numbers
-of vertices and sizes of numbers, so rounds end.
+The greedy search moves the pair to the origin, removes vertices and shortens numbers, until a round
+changes nothing. A candidate replaces the case if it is smaller, `sweep` accepts it, it has the same
+fault, and all its flags are flags of the case, since another flag could be another fault.
 """
 
 from __future__ import annotations
@@ -40,7 +37,7 @@ class _GivenPair(NamedTuple):
         return cls((*d, *g, (case.reference,)), len(d))
 
     def size(self) -> tuple[int, int, Fraction]:
-        """Return the vertices, the bits of their coordinates, and the sum of these."""
+        """Return the number of coordinates, their bits, and the sum of their absolute values."""
         numbers = [*chain(*chain(*self.rings))]
         bits = sum(c.numerator.bit_length() + c.denominator.bit_length() for c in numbers)
         return len(numbers), bits, sum(map(abs, numbers), Fraction(0))
@@ -75,10 +72,10 @@ def shrink(
 
     Args:
         case: a case that fails.
-        judge: returns the property of a case to preserve, such as the verdict of `compare` on an
-            implementation's answer. An exception ends the search.
+        judge: returns the property of a case to preserve, such as a verdict. An exception ends the
+            search.
         tries: the maximum number of calls of `judge`.
-        seconds: the time after which it is not called again.
+        seconds: the time limit of the search.
 
     Returns:
         A Case with the id "ID-shrunk"; the same pair if no smaller one was found.
@@ -130,7 +127,7 @@ class _Search:
         """Try all reductions once; return whether one succeeded."""
         before = self._size
         for candidates in (_move, _remove, _shorten_all, _shorten_one):
-            # Candidates are made of the pair as it is now, so they start over when it changes.
+            # Candidates depend on the current pair, so they start over after a change.
             while any(self._accept(pair) for pair in candidates(self._pair)):
                 pass
         return self._size < before
@@ -166,7 +163,7 @@ class _Search:
 
 
 def _move(pair: _GivenPair) -> Iterator[_GivenPair]:
-    """Canonical rings; the reference at the origin; each shape with its lower left corner there."""
+    """Canonicalize the rings, and move the reference point or a shape to the origin."""
     canonical = (Polygon(ring).vertices for ring in pair.rings[:-1])
     yield _GivenPair((*canonical, (ORIGIN,)), pair.split)
     yield pair.replace(len(pair.rings) - 1, (ORIGIN,))
@@ -191,7 +188,7 @@ def _remove(pair: _GivenPair) -> Iterator[_GivenPair]:
 
 
 def _shorten_all(pair: _GivenPair) -> Iterator[_GivenPair]:
-    """Shorten all numbers: to coprime integers, to fewer bits, to their ranks on an axis."""
+    """Shorten all numbers: to coprime integers, to fewer bits, or to their ranks on an axis."""
     numbers = [*chain(*chain(*pair.rings))]
     scale = lcm(*(c.denominator for c in numbers))
     common = gcd(*(int(c * scale) for c in numbers)) or 1
@@ -206,7 +203,7 @@ def _shorten_all(pair: _GivenPair) -> Iterator[_GivenPair]:
 
 
 def _shorten_one(pair: _GivenPair) -> Iterator[_GivenPair]:
-    """Shorten one number, or all numbers of a ring that equal it on its axis."""
+    """Shorten one number, or all equal coordinates of a ring."""
     for k, ring in enumerate(pair.rings[:-1]):
         for axis in "xy":
             for value in sorted({getattr(p, axis) for p in ring}, key=abs, reverse=True):
@@ -220,7 +217,7 @@ def _shorten_one(pair: _GivenPair) -> Iterator[_GivenPair]:
 
 
 def _find_simpler(value: Fraction) -> list[Fraction]:
-    """Return shorter numbers, the simplest first."""
+    """List shorter numbers, the simplest first."""
     found = [Fraction(0), Fraction(round(value)), Fraction(int(value / 2))]
     if abs(value) < 32:
         found.append(value - 1 if value > 0 else value + 1)

@@ -1,7 +1,6 @@
-"""Answers from a pipe: `gen | implementation | exactsweep judge`.
+"""Answers from a pipe: `generator | program | exactsweep judge`.
 
-A pipe does not adapt the cases: the program reads rationals. Its trajectory may be that of another
-reference point.
+The cases are not adapted, so the program reads rationals. It may use another reference point.
 """
 
 from __future__ import annotations
@@ -30,14 +29,14 @@ class Stream:
 
     Attributes:
         hello: the program's hello.
-        complaints: list of the first lines that are no answers, or could not be judged.
+        complaints: list of errors of the first lines that cannot be judged.
 
     Raises:
         ProtocolError: the first line is not a hello.
     """
 
     def __init__(self, file: BinaryIO) -> None:
-        # A line that is too long is cut, and so no JSON.
+        # A line that is too long is cut, which makes it invalid.
         self._lines = (line.decode("utf-8", "replace").rstrip("\n") for line in split_lines(file))
         self.complaints: list[str] = []
         hello = next(self._lines, None)
@@ -47,11 +46,7 @@ class Stream:
         self._seen: set[str] = set()
 
     def outcomes(self, find: Callable[[str], Case]) -> Iterator[Outcome]:
-        """Yield the outcomes of the answers.
-
-        Args:
-            find: returns the case of an id, or raises UnknownNameError.
-        """
+        """Yield the outcomes of the answers; `find` returns a case by its id."""
         terms = replace(self.hello, numbers="rational")
         for number, line in enumerate(self._lines, 2):
             try:

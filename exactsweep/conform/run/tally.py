@@ -1,4 +1,4 @@
-"""Counts and extremes of outcomes, by class and flag."""
+"""Counts of outcomes by class and flag."""
 
 from __future__ import annotations
 
@@ -22,16 +22,16 @@ _DIFFERENT = (Verdict.CONSERVATIVE, Verdict.UNSOUND, Verdict.WRONG)
 
 
 class Tally:
-    """Counts and extremes of outcomes.
+    """Counts of outcomes.
 
     Args:
         outcomes: the first outcomes.
 
     Attributes:
-        counts: Counter of (group, verdict); a group is "all", a class or a flag.
+        counts: Counter of (group, verdict); groups are "all", classes and flags.
         seconds: the total time of all answers.
-        granted: the greatest rounding with which a loop is within, and the id of its case.
-        different: the number of trajectories that are conservative, unsound or wrong.
+        granted: the greatest rounding of a loop that is within, and the id of its case.
+        different: the number of conservative, unsound and wrong trajectories.
         diagnoses: Counter of their diagnoses.
 
     Example:
@@ -62,19 +62,19 @@ class Tally:
                 self.granted = max(self.granted, (read_any_length(part["granted"]), outcome.id))
 
     def find_cause(self) -> str | None:
-        """Return the diagnosis that all differing answers share, or None."""
+        """Find a diagnosis that explains all differing answers."""
         for words, number in self.diagnoses.most_common(1):
             if number == self.different > 1:
                 return words
         return None
 
     def diagnosis(self) -> str | None:
-        """Describe the diagnosis that all differing answers share, or return None."""
+        """Describe the diagnosis that explains all differing answers, if there is one."""
         cause = self.find_cause()
         return cause and f"all {self.different} answers that differ: {cause}"
 
     def total(self, verdict: Verdict | None = None, group: str = ALL) -> int:
-        """Count the cases of a group with a verdict, or with any."""
+        """Count the cases of a group with one verdict or all verdicts."""
         verdicts = Verdict if verdict is None else (verdict,)
         return sum(self.counts[group, one] for one in verdicts)
 
@@ -88,18 +88,18 @@ class Tally:
         return sum(self.total(verdict) for verdict in Verdict if fails(verdict, accepted))
 
     def groups(self) -> list[str]:
-        """Return the groups that have cases: all, the classes, then the flags in order."""
+        """List the groups that have cases: all, the classes, then the flags."""
         found = {group for group, _ in self.counts}
         first = [group for group in (ALL, *KINDS) if group in found]
         return first + sorted(found.difference(first))
 
     def verdicts(self) -> list[Verdict]:
-        """Return the verdicts that occur, from best to worst."""
+        """List the verdicts that occur, from best to worst."""
         return [verdict for verdict in Verdict if self.total(verdict)]
 
 
 def fails(verdict: Verdict, accepted: Verdict) -> bool:
-    """Decide whether a verdict is worse than an accepted one; a case that was not judged is not.
+    """Decide whether a judged case has a worse verdict than the accepted one.
 
     >>> fails(Verdict.WITHIN, Verdict.EQUIVALENT), fails(Verdict.UNSUPPORTED, Verdict.EXACT)
     (True, False)
