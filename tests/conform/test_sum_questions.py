@@ -126,7 +126,7 @@ def test_the_witness_is_drawn_where_the_sum_is() -> None:
     far = Case.of("far", "", SQUARE, SQUARE, (1000, 1000))
     run = conform(lambda a, b: a, [far], name="mine", questions=["minkowski_sum"])
     (panel, *_) = draw_panels(next(run.show()))
-    assert panel.caption == "minkowski sum"
+    assert panel.caption == "Minkowski sum"
     assert panel.witness is not None
     assert all(0 < c < SIDE for c in panel.witness)
 
