@@ -125,6 +125,17 @@ class Fault:
         move = find_depth_move(self._board, self.placements, self._bits)
         return None if move is None else move.x**2 + move.y**2
 
+    @property
+    def box_depth(self) -> Fraction:
+        """The overlap of the boxes of two placements, a bound on the depth; 0 for other faults."""
+        if self._board is None or len(self.placements) < 2:
+            return Fraction(0)
+        one, other = map(self._board.solid, self.placements)
+        (left, right, low, high), (west, east, south, north) = (
+            [Fraction(side) / solid.scale for side in solid.box] for solid in (one, other)
+        )
+        return min(right - west, east - left, high - south, north - low)
+
     @cached_property
     def clearance(self) -> Clearance | None:
         """The exact distance or depth of two rounded bodies; None for polygons.

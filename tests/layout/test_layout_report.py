@@ -121,6 +121,21 @@ def test_only_the_first_faults_are_measured(number: int, monkeypatch: pytest.Mon
     assert [one.square is not None for one in ranked] == [True, True, False][:number]
 
 
+def test_the_deepest_of_many_faults_are_measured(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(worst, "MOST_MEASURED", 2)
+    ranked = rank_faults(many(9))
+    assert [one.square for one in ranked[:2]] == [Fraction(1, 4), Fraction(1, 9)]
+
+
+def test_many_tiny_faults_look_like_rounding(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(worst, "MOST_MEASURED", 2)
+    tile = [[0, 0], [1, 0], ["1", "1"], [0, 1]]
+    places = [{"part": "t", "move": [str(k * (1 - Fraction(1, 10**9))), 0]} for k in range(9)]
+    layout = {"parts": [{"id": "t", "exterior": tile}], "placements": places}
+    text = report_layout(judge_layout(Layout.from_json(layout)))
+    assert "note: 8 overlaps, all at most 1e-9 deep: rounding? (--accept 1e-9" in text
+
+
 def test_json_is_exact() -> None:
     data = json.loads(write_layout_json(judged("overlap-1e-30"), ["a note"]))
     assert data["valid"] is False

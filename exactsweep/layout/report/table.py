@@ -18,14 +18,12 @@ from exactsweep.layout.report.worst import (
     rank_faults,
 )
 from exactsweep.numbers.digits import abridge, find_magnitude, format_fraction
-from exactsweep.numbers.number import ORIGIN, Point
+from exactsweep.numbers.number import Point
 from exactsweep.text.report import approximate, lay_out, list_facts, make_table, take_root
 from exactsweep.text.results import write_object
 from exactsweep.words import count, spell_out
 
 _MOST_LISTED = 30
-# Faults that are this many times smaller than the layout look like rounding.
-_ROUNDING = 10**6
 
 
 def report_layout(
@@ -156,7 +154,7 @@ def _count_kinds(kinds: Mapping[FaultKind, int]) -> str:
 def sum_up(ranked: Sequence[WorstFirst], context: ReportContext) -> str:
     """Count faults, with the greatest depth or shortfall."""
     said = _count_kinds(Counter(one.fault.kind for one in ranked))
-    depths = [measure_depth(one) for one in ranked]
+    depths = [one.depth for one in ranked]
     deepest = context.add_unit(approximate(max(depths), up=True))
     word = "deep" if all(one.fault.distance_squared is None for one in ranked) else "off"
     if len(ranked) == 1:
@@ -164,31 +162,15 @@ def sum_up(ranked: Sequence[WorstFirst], context: ReportContext) -> str:
     return f"{said}, all at most {deepest} {word}"
 
 
-def measure_depth(one: WorstFirst) -> Fraction:
-    """Return a bound on the depth of a fault, or on its shortfall of the required distance."""
-    fault = one.fault
-    if fault.distance_squared is not None and fault.required is not None:
-        missing = fault.required**2 - fault.distance_squared
-        return missing / (fault.required + take_root(fault.distance_squared)) + fault.bound
-    return (take_root(one.square) if one.square else Fraction(0)) + fault.bound
-
-
 def find_remarks(
     judgement: Judgement, ranked: Sequence[WorstFirst], context: ReportContext
 ) -> list[str]:
     """Report that all faults are tiny, and rules that were not judged."""
     said = []
-    measured = [
-        one
-        for one in ranked
-        if one.square is not None and one.fault.kind in ("overlap", "outside", "too close")
-    ]
-    if ranked and len(measured) == len(ranked) and context.accepted is None:
-        deepest = max(map(measure_depth, measured))
-        low, high = judgement.box or (ORIGIN, ORIGIN)
-        if deepest * _ROUNDING < max(high.x - low.x, high.y - low.y):
-            accept = _round_up(deepest)
-            said.append(f"{sum_up(measured, context)}: rounding? (--accept {accept} accepts it)")
+    is_rounding = all(one.is_rounding(judgement) for one in ranked)
+    if ranked and is_rounding and context.accepted is None:
+        accept = _round_up(max(one.depth for one in ranked))
+        said.append(f"{sum_up(ranked, context)}: rounding? (--accept {accept} accepts it)")
     if ranked and context.unchecked and not all(one.accepted for one in ranked):
         said.append(f"not judged: {'; '.join(context.unchecked)}")
     return said
@@ -220,7 +202,7 @@ def tell_fault(
     if fault.distance_squared is not None and fault.required is not None:
         found, required = take_root(fault.distance_squared), fault.required
         bad = f"{context.add_unit(approximate(found))} apart, {approximate(required)} required"
-        bad += f", {approximate(measure_depth(one))} short"
+        bad += f", {approximate(one.depth)} short"
     elif one.square is not None:
         least = approximate(take_root(fault.least_depth_squared or one.square))
         depth = approximate(take_root(one.square))

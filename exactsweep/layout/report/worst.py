@@ -8,10 +8,16 @@ from typing import NamedTuple, get_args
 
 from exactsweep.layout.fault import Fault, FaultKind
 from exactsweep.layout.judge import Judgement
+from exactsweep.numbers.number import ORIGIN
+from exactsweep.text.report import take_root
 from exactsweep.words import spell_out
 
 MOST_MEASURED = 200
-"""The greatest number of measured faults."""
+"""The number of measured faults, unless all of these are tiny."""
+
+# Faults that are this many times smaller than the layout look like rounding.
+_ROUNDING = 10**6
+_MEASURED = "overlap", "outside", "too close"
 
 
 class WorstFirst(NamedTuple):
@@ -27,6 +33,23 @@ class WorstFirst(NamedTuple):
     fault: Fault
     square: Fraction | None
     accepted: bool = False
+
+    @property
+    def depth(self) -> Fraction:
+        """A bound on the depth of a fault, or on its shortfall of the distance."""
+        fault = self.fault
+        if fault.distance_squared is not None and fault.required is not None:
+            missing = fault.required**2 - fault.distance_squared
+            return missing / (fault.required + take_root(fault.distance_squared)) + fault.bound
+        root = fault.box_depth if self.square is None else take_root(self.square)
+        return root + fault.bound
+
+    def is_rounding(self, judgement: Judgement) -> bool:
+        """Decide whether the fault is known to be tiny beside the layout."""
+        low, high = judgement.box or (ORIGIN, ORIGIN)
+        size = max(high.x - low.x, high.y - low.y)
+        is_known = self.square is not None or len(self.fault.placements) > 1
+        return is_known and self.fault.kind in _MEASURED and self.depth * _ROUNDING < size
 
 
 class ReportContext(NamedTuple):
@@ -78,22 +101,26 @@ def rank_faults(
         tell: called with the number of measured faults and their final number.
         accepted: the depth up to which faults are accepted.
 
-    Only the first MOST_MEASURED faults are measured, or all if some depth is accepted.
+    MOST_MEASURED faults are measured, those first whose boxes overlap most; all of unknown size if
+    these are tiny; all if some depth is accepted.
 
     Cost: that of `Fault.depth_squared` for each measured fault.
     """
-    found = []
-    total = len(judgement.faults)
-    if accepted is None:
-        total = min(total, MOST_MEASURED)
-    for k, fault in enumerate(judgement.faults):
+    order, faults = get_args(FaultKind), judgement.faults
+    total = len(faults)
+    if accepted is None and total > MOST_MEASURED:
+        total = MOST_MEASURED
+        faults = tuple(sorted(faults, key=lambda f: (order.index(f.kind), -f.box_depth)))
+    found, is_tiny = list[WorstFirst](), False
+    for k, fault in enumerate(faults):
+        if k == total:
+            is_tiny = all(one.is_rounding(judgement) for one in found)
         square, is_accepted = fault.distance_squared, False
-        if k < total:
-            tell(k, total)
+        if k < total or (is_tiny and not WorstFirst(fault, square).is_rounding(judgement)):
+            tell(k, total if k < total else len(faults))
             square = fault.depth_squared if square is None else square
             is_accepted = accepted is not None and fault.is_within(accepted)
         found.append(WorstFirst(fault, square, is_accepted))
-    order = get_args(FaultKind)
     return sorted(found, key=lambda one: (one.accepted, order.index(one.fault.kind), *_rank(one)))
 
 
