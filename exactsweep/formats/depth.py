@@ -100,7 +100,7 @@ def nest_outlines(outlines: Sequence[Candidate]) -> Nested:
         other.
     """
     rings: list[_OwnedRing] = []
-    for k, outline in enumerate(outlines):
+    for outline in outlines:
         own = len(rings)
         for ring in (outline, *outline.holes()):
             plain = ring._replace(
@@ -109,9 +109,8 @@ def nest_outlines(outlines: Sequence[Candidate]) -> Nested:
                 error=outline.error,
                 rule=outline.rule,
             )
-            rings.append(
-                _OwnedRing(k, plain, _find_polygon(plain), None if ring is outline else own)
-            )
+            owner = None if ring is outline else own
+            rings.append(_OwnedRing(plain, _find_polygon(plain), owner))
     tree = _nest([ring.polygon for ring in rings])
     holes: defaultdict[int, list[int]] = defaultdict(list)
     exteriors: list[int] = []
@@ -162,9 +161,8 @@ def nest_outlines(outlines: Sequence[Candidate]) -> Nested:
 
 
 class _OwnedRing(NamedTuple):
-    """A ring of an outline: the number of the outline, the polygon, and its own exterior."""
+    """A ring of an outline, its polygon, and its own exterior."""
 
-    number: int
     outline: Candidate
     polygon: Polygon | None
     owner: int | None

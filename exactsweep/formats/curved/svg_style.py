@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections import defaultdict
+from collections.abc import Iterator, Sequence
+from itertools import count
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
@@ -23,11 +25,8 @@ _DRAWING = {"display", "visibility", "fill-rule", "transform", "transform-origin
 _DRAWING |= {"rotate", "scale", "translate"}
 _READ = {*_DRAWING, "fill", "stroke", "x", "y", "width", "height", "cx", "cy", "r", "rx", "ry"}
 
-_Declared = tuple[bool, int, int, str]
-"""A declaration: its importance, the rank of its selector, its number, its value."""
-
-_RANKS = {"*": 0, ".": 2, "#": 3}
-_NAME_RANK, _STYLE_RANK = 1, 4
+_Declared = tuple[bool, int, str, str]
+"""A declaration: its importance, its number, its name, its value."""
 
 
 class Style:
@@ -35,55 +34,48 @@ class Style:
 
     def __init__(self, root: Element) -> None:
         self.ignored: list[str] = []
-        self._rules: dict[str, dict[str, _Declared]] = {}
-        self._number = 0
+        self._rules: defaultdict[str, list[_Declared]] = defaultdict(list)
+        numbers = count()
         for sheet in root.iter():
             if name_kind(sheet) == "style":
                 for rule in _PASSED.sub("", "".join(sheet.itertext())).split("}"):
                     selectors, _, body = rule.partition("{")
-                    self._add(selectors, body)
+                    declared = [one for one in _list_declared(body, numbers) if one[2] in _READ]
+                    self._add(selectors, declared)
 
-    def _add(self, selectors: str, body: str) -> None:
-        declared: dict[str, _Declared] = {}
-        for name, value, important in _declarations(body):
-            if name in _READ:
-                self._number += 1
-                _declare(declared, name, (important, 0, self._number, value))
+    def _add(self, selectors: str, declared: Sequence[_Declared]) -> None:
         for selector in map(str.strip, selectors.split(",")) if declared else ():
             if _SIMPLE.fullmatch(selector):
-                rules = self._rules.setdefault(selector, {})
-                rank = _RANKS.get(selector[0], _NAME_RANK)
-                for name, (important, _, number, value) in declared.items():
-                    _declare(rules, name, (important, rank, number, value))
-            elif not _DRAWING.isdisjoint(declared):
+                self._rules[selector] += declared
+            elif any(name in _DRAWING for _, _, name, _ in declared):
                 self.ignored.append(selector)
 
     def read(self, element: Element) -> dict[str, str]:
         """Return the properties that styles give an element, by the cascade of CSS."""
         attributes = element.attrib
-        found: dict[str, _Declared] = {}
-        if self._rules:
-            classes = (f".{one}" for one in attributes.get("class", "").split())
-            for selector in ("*", name_kind(element), *classes, f"#{attributes.get('id')}"):
-                for name, declared in self._rules.get(selector, {}).items():
-                    _declare(found, name, declared)
-        if "style" in attributes:
-            for k, (name, value, important) in enumerate(_declarations(attributes["style"])):
-                _declare(found, name, (important, _STYLE_RANK, k, value))
-        return {name: value for name, (*_, value) in found.items()}
+        classes = (f".{one}" for one in attributes.get("class", "").split())
+        if not self._rules and "style" not in attributes:
+            return {}
+        known = (("*",), (name_kind(element),), classes, (f"#{attributes.get('id')}",))
+        found = [
+            (important, rank, number, name, value)
+            for rank, selectors in enumerate(known)
+            for selector in selectors
+            for important, number, name, value in self._rules.get(selector, ())
+        ]
+        own = _list_declared(attributes.get("style", ""), count())
+        found += [
+            (important, len(known), number, name, value) for important, number, name, value in own
+        ]
+        return {name: value for *_, name, value in sorted(found)}
 
 
-def _declare(found: dict[str, _Declared], name: str, declared: _Declared) -> None:
-    """Add a declaration unless the present one has precedence."""
-    found[name] = max(declared, found.get(name, declared))
-
-
-def _declarations(text: str) -> Iterator[tuple[str, str, bool]]:
-    """Yield the name of each declared property, its value, and whether it is important."""
+def _list_declared(text: str, numbers: Iterator[int]) -> Iterator[_Declared]:
+    """Yield the declarations of a rule or of a style attribute."""
     for declaration in _COMMENT.sub("", text).split(";"):
         name, _, value = declaration.partition(":")
         value, important, _ = value.lower().partition("!important")
-        yield name.strip().lower(), value.strip(), bool(important)
+        yield bool(important), next(numbers), name.strip().lower(), value.strip()
 
 
 def name_kind(element: Element) -> str:
