@@ -1,8 +1,7 @@
 """A pruning step of the MM sweep: skip subtrajectories above the envelope.
 
 The x-range is cut into strips. The ceiling is an upper bound of the envelope over each strip, at
-first infinity. The parts of each chain are ranked by their lowest points, and pairs of parts come
-in order of the sum of their ranks: low pairs first, without a sort of all pairs.
+first infinity. The parts of both chains are tried in order of their lowest points.
 
     (1)  A pair whose lowest point is not below the ceiling over its x-range is dropped.
     (2)  A subtrajectory lowers the ceiling over each strip that it crosses: it is convex, so its
@@ -10,8 +9,7 @@ in order of the sum of their ranks: low pairs first, without a sort of all pairs
     (3)  A subtrajectory that is below the ceiling of no strip is dropped, too.
 
 Heights are ints, rounded to the safe side, so a dropped sum is nowhere below the envelope. Without
-this step (see the import in `mm`) trajectories of two zigzags take 2 times (64 vertices) or 5 times
-(256 vertices) as long.
+this step, trajectories of two zigzags take 2 times (64 vertices) or 5 times (256 vertices) as long.
 """
 
 from __future__ import annotations
@@ -39,7 +37,7 @@ def subtrajectories(
     directrix_parts: Sequence[ConvexPart],
     ranges: Ranges | None = None,
 ) -> list[list[Graph]]:
-    """Return those of `cc.subtrajectories` that may be on the envelope; arguments likewise.
+    """Return those of `cc.subtrajectories` that may be on the envelope.
 
     Cost: O(strips crossed) for each pair of parts, O(1) on average; memory O(parts + result).
     """
@@ -65,10 +63,7 @@ def subtrajectories(
 def bound_all(
     parts: Sequence[ConvexPart],
 ) -> list[tuple[int, int, int, int, ConvexPart]]:
-    """Return (least y, left, right, number, part) of each part, the lowest first.
-
-    The bounds are rounded outwards to ints.
-    """
+    """Return (least y, left, right, number, part) of each part, rounded outwards, lowest first."""
     bounds = []
     for k, part in enumerate(parts):
         left, _, w = part.vertices[part.first]
@@ -79,10 +74,7 @@ def bound_all(
 
 
 class Ceiling:
-    """An upper bound of the envelope over each of some strips; infinite at first.
-
-    Where no range needs the envelope, it is -infinity.
-    """
+    """An upper bound of the envelope over each strip; -infinity where no range needs it."""
 
     def __init__(self, left: int, right: int, count: int, ranges: Ranges | None) -> None:
         self.left = left
@@ -100,15 +92,12 @@ class Ceiling:
         return low < max(self.heights[self._find_strip(left) : self._find_strip(right) + 1])
 
     def lower(self, graph: Graph) -> bool:
-        """Lower the ceiling by a convex graph; return whether the graph is below it anywhere.
-
-        The walk keeps the height at the last border, or at the left end, and the least height
-        since.
-        """
+        """Lower the ceiling by a convex graph; return whether the graph is below it anywhere."""
         (x, y, w), _, _ = graph.pieces[0][3]
         heights, width = self.heights, self.width
         strip = self._find_strip(x // w)
         border = self.left + (strip + 1) * width
+        # The height at the last border, or at the left end, and the least height since.
         height = lowest = y // w
         begun = below = False
         for dx, dy, c, _, ((x, y, w), _, _) in graph.pieces:

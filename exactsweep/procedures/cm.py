@@ -47,7 +47,7 @@ def trajectory_cm(generatrix: Chain, directrix: Chain) -> Graph:
     """
     # Step 1: partition D_b into convex chains D_1, ..., D_k.
     (convex,), parts = partition(generatrix, directrix)
-    # Step 2: compute the subtrajectories T(G_t, D_i) and their lower envelope.
+    # Step 2: compute the subtrajectories T(G_t, D_i) by Trajectory_CC, and their lower envelope.
     subtrajectories = (merge_by_slope(convex, part) for part in parts)
     # Step 3: return the lower envelope.
     return reduce(lower_envelope_cm, subtrajectories)
@@ -56,9 +56,8 @@ def trajectory_cm(generatrix: Chain, directrix: Chain) -> Graph:
 def sweep_outer_cm(generatrix: Chain, bottom: Chain, directrix: Chain) -> Graph:
     """Outer boundary of the sweep of a convex G along a monotone D_b.
 
-    Procedure SweepO_CM: as Trajectory_CM, with SweepO_CC in the place of Trajectory_CC. A sub-outer
-    chain is a subtrajectory of the merged edges of reversed G_t and G_b. Arguments as for
-    `trajectory_cm`; `bottom` is G_b, convex. Cost: O(m n).
+    Procedure SweepO_CM: as Trajectory_CM, with the edges of reversed G_t and of G_b (`bottom`)
+    merged in the place of reversed G_t. Cost: O(m n).
 
     >>> bar, lid = Chain.of([(0, 0), (1, 0)]), Chain.of([(-1, 0), (0, 0)])
     >>> list(sweep_outer_cm(lid, bar, Chain.of([(0, 0), (2, 2), (4, 0)])))
@@ -72,9 +71,8 @@ def sweep_inner_cm(generatrix: Chain, directrix: Chain, trajectory: Graph | None
 
     Procedure SweepI_CM. Where two subtrajectories meet, G touches D_b in two places. The part of
     G_t between them is the bottom chain of an undercut (Figure 7a). Where the subtrajectories share
-    a segment, both places are on one edge of G_t (Figure 7b), and all points of the segment give
-    the same bottom chain. At a jump of the trajectory the higher position closes the undercut. A
-    known trajectory may be passed. Cost: O(m n).
+    a segment, any of its points gives the same bottom chain (Figure 7b). At a jump of the
+    trajectory the higher position counts. Cost: O(m n).
 
     >>> sweep_inner_cm(Chain.of([(-1, -1), (0, -1)]), Chain.of([(0, 0), (1, 1), (2, 0)])).points
     [(0, 0), (Fraction(1, 2), Fraction(1, 2)), (Fraction(3, 2), Fraction(1, 2)), (2, 0)]
@@ -109,10 +107,7 @@ def sweep_inner_cm(generatrix: Chain, directrix: Chain, trajectory: Graph | None
 def find_touched(
     generatrix: Chain, directrix: Chain, piece: Piece, start: Break, end: Break
 ) -> tuple[Break, Break]:
-    """Find both ends of the x-range of D_b that G touches between two breaks of a piece (Table 1).
-
-    Between vertices i and i_end of D_b, vertices j to j_end of reversed G_t are in contact.
-    """
+    """Find both ends of the x-range of D_b that G touches between two breaks of a piece."""
     (_, i, j), (_, i_end, j_end) = piece[3:]
     (x, w), (u, v) = start, end
     (gx, _, gw), (hx, _, hw) = generatrix.vertices[j_end], generatrix.vertices[j]
@@ -124,10 +119,7 @@ def find_touched(
 def close(
     directrix: Chain, undercuts: Iterable[Untouched], bottoms: Iterable[list[Homogeneous]]
 ) -> Chain:
-    """Replace the top chains of undercuts, pieces of D_b, by their bottom chains (Figure 7).
-
-    Cost: O(m + size of the result).
-    """
+    """Replace the top chains of undercuts, pieces of D_b, by their bottom chains (Figure 7)."""
     inner: list[Homogeneous] = []
     done = 0
     for (before, left, after, right), bottom in zip(undercuts, bottoms, strict=True):

@@ -22,8 +22,6 @@ from exactsweep.procedures.segments import ContactSegment
 
 _FEW, _CROSSINGS = 250, Fraction(4, 5)
 """Least number of segments, and of expected crossings per segment, at which pruning saves time."""
-_SHARE = 8
-"""Pruning saves time if squares cover at least 1 / 8 of the bounding box of the segments."""
 _MOST_COLUMNS = 400
 """The sum of two sets of squares takes time proportional to its fourth power."""
 
@@ -52,8 +50,6 @@ def leave_out_covered(
     for left, low, squares in sums:
         for k, rows in enumerate(squares, left):
             columns[k] |= rows << low - lowest
-    if _SHARE * sum(map(int.bit_count, columns.values())) * side * side < width * height:
-        return segments
     return [piece for segment in segments for piece in split(segment, side, lowest, columns)]
 
 

@@ -16,6 +16,7 @@ from bisect import bisect_left, bisect_right
 from collections import Counter
 from collections.abc import Sequence
 from itertools import pairwise
+from operator import itemgetter
 
 from exactsweep.numbers.number import Edge, Rational, Vertex, ratio
 from exactsweep.procedures.chain import Chain, inverse
@@ -62,7 +63,7 @@ def evaluate(edge: Edge, x: Rational) -> Rational:
 
 
 def _find_greatest(chain: Sequence[Vertex], x: Rational) -> Rational:
-    first, after = (side(chain, x, key=_abscissa) for side in (bisect_left, bisect_right))
+    first, after = (side(chain, x, key=itemgetter(0)) for side in (bisect_left, bisect_right))
     if first == after:
         return evaluate((chain[first - 1], chain[first]), x)
     return max(chain[first][1], chain[after - 1][1])
@@ -77,8 +78,8 @@ def _discontinuities(chain: Sequence[Vertex]) -> set[Rational]:
 def _least_height(top: Sequence[Edge], bottom: Sequence[Edge], shift: Rational) -> Rational:
     """Return the least limit of D_b(a) - G_t(a - shift) over the open common x-range."""
     heights: list[Rational] = []
-    i = bisect_right(top, bottom[0][0][0] - shift, key=_right)
-    j = bisect_right(bottom, top[0][0][0] + shift, key=_right)
+    i = bisect_right(top, bottom[0][0][0] - shift, key=lambda edge: edge[1][0])
+    j = bisect_right(bottom, top[0][0][0] + shift, key=lambda edge: edge[1][0])
     while i < len(top) and j < len(bottom):
         (gp, gq), (dp, dq) = top[i], bottom[j]
         low, high = max(gp[0] + shift, dp[0]), min(gq[0] + shift, dq[0])
@@ -87,11 +88,3 @@ def _least_height(top: Sequence[Edge], bottom: Sequence[Edge], shift: Rational) 
         i += gq[0] + shift == high
         j += dq[0] == high
     return min(heights)
-
-
-def _abscissa(vertex: Vertex) -> Rational:
-    return vertex[0]
-
-
-def _right(edge: Edge) -> Rational:
-    return edge[1][0]

@@ -50,17 +50,13 @@ class Graph:
         pieces: item k holds from break k to break k + 1. At a jump the lower limit counts.
     """
 
-    __slots__ = ("breaks", "pieces")
-
     def __init__(self, breaks: list[Break], pieces: list[Piece]) -> None:
         self.breaks, self.pieces = breaks, pieces
 
     def clip(self, start: Break, end: Break) -> Graph:
         """Return the function between two breaks. Cost: O(log n + its size)."""
-        first, last = (
-            find_piece(self, start),
-            bisect_left(self.breaks, True, key=lambda at: not precedes(at, end)),
-        )
+        first = find_piece(self, start)
+        last = bisect_left(self.breaks, True, key=lambda at: not precedes(at, end))
         return Graph([start, *self.breaks[first + 1 : last], end], self.pieces[first:last])
 
     def chain(self) -> Chain:

@@ -12,8 +12,8 @@ inner boundary can have order m n^2 edges, not O(m n): near a needle of D_b it h
 every pair of a peak and a valley of G_t.
 
 The inner boundary R(x) = max over u of T(u) + G_t(x - u) (Lemma 5.3) is nowhere above D_b, since
-T(u) <= D_b(x) - G_t(x - u), with equality where G touches D_b. So only the undercuts need a
-computation of R.
+T(u) <= D_b(x) - G_t(x - u), with equality where G touches D_b. So R is computed in the undercuts
+only: the faster algorithm that the paper mentions after Corollary 5.8.
 """
 
 from __future__ import annotations
@@ -44,8 +44,7 @@ def trajectory_mm(generatrix: Chain, directrix: Chain, ranges: Ranges | None = N
     """Trajectory T(G_t, D_b) of a monotone top chain along a monotone bottom chain.
 
     Procedure Trajectory_MM, for reversed G_t and D_b. With `ranges`, disjoint x-ranges, the result
-    is valid over these only. Each piece, of the path of G's origin, has its event. Cost:
-    O(m n log n).
+    is valid over these only. Cost: O(m n log n).
 
     >>> peak = Chain.of([(0, 0), (1, 1), (2, 0)])
     >>> list(trajectory_mm(Chain.of([(-2, -1), (-1, 0), (0, -1)]), peak))
@@ -90,9 +89,7 @@ def sweep_outer_mm(bottom: Chain, path: Chain) -> Graph:
 def sweep_inner_mm(generatrix: Chain, directrix: Chain, trajectory: Graph, path: Chain) -> Chain:
     """Inner boundary T(I(G), -T): I(G) slides along the inside of T (Lemma 5.3).
 
-    After a half turn, G_t slides along the complement of T. Where G touches D_b the boundary is
-    D_b, so only the undercuts are computed. This is the faster algorithm that the paper mentions
-    after Corollary 5.8. `path` is the trajectory as a chain.
+    After a half turn, G_t slides along the complement of T. `path` is T as a chain.
 
     Cost: O(t log t) to find the undercuts, and O(t' n log n) for the t' edges of T along which G is
     over an undercut; all t of them at worst.
@@ -110,7 +107,7 @@ def find_untouched(generatrix: Chain, directrix: Chain, trajectory: Graph) -> li
     """Find x-ranges of D_b, from left to right, that contain all points that G does not touch.
 
     They are the undercuts, and parts of D_b that G touches only where another piece of T hides the
-    contact. Cost: O(t log t) for t pieces of T.
+    contact.
     """
     touched = [
         (*find_touched(generatrix, directrix, piece, start, end), piece)

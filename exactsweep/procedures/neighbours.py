@@ -24,9 +24,6 @@ from exactsweep.procedures.segments import EdgeFeature
 _Vectors = tuple[int, int, int, int]
 """Two vectors."""
 
-_FEW = 250
-"""The product of numbers of facing edges and vertices up to which keeping all parts is faster."""
-
 
 def leave_out_overlapped(
     edges: Sequence[EdgeFeature], ring: Sequence[Vertex], k: int
@@ -35,8 +32,6 @@ def leave_out_overlapped(
 
     Cost: O(1) for each edge.
     """
-    if len(edges) * len(ring) < _FEW:
-        return edges
     points = [ring[(k + i) % len(ring)] for i in (-2, -1, 0, 1, 2)]
     unit = lcm(*(c.denominator for point in points for c in point))
     o, p, v, q, r = ((int(x * unit), int(y * unit)) for x, y in points)

@@ -1,14 +1,12 @@
 """Ends of contact segments that adjacent edges prove to be overlapped."""
 
 from fractions import Fraction
-from unittest.mock import patch
 
 import pytest
 from pruned import Overlaps
 
 from exactsweep.geometry.edges import Rings
 from exactsweep.numbers.number import Point, Vertex
-from exactsweep.procedures import neighbours
 from exactsweep.procedures.crossings import find_point
 from exactsweep.procedures.neighbours import leave_out_overlapped
 from exactsweep.procedures.positions import find_no_fit, reflect
@@ -28,8 +26,7 @@ def saw(size: int) -> list[Vertex]:
 
 
 def find_left(stationary: Rings, moving: Rings) -> list[ContactSegment]:
-    with patch.object(neighbours, "_FEW", 0):
-        return find_contact_segments(stationary, moving, leave_out_overlapped)
+    return find_contact_segments(stationary, moving, leave_out_overlapped)
 
 
 # Two rows of 40 teeth each way and what is between them; of saws an octagon, as tips are in line.
