@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from fractions import Fraction
 from functools import cached_property
-from typing import Literal
 
 from exactsweep.evidence.certified import refuse_to_set
 from exactsweep.evidence.minkowski import solve_pair
@@ -20,18 +19,10 @@ from exactsweep.geometry.intersection import (
     find_common_point,
     measure_common_area,
 )
-from exactsweep.geometry.overlap import Relation, relate
+from exactsweep.geometry.overlap import relate
 from exactsweep.geometry.region import Region, Vertices, share_lattice, to_region
 from exactsweep.numbers.error import tells_arguments
 from exactsweep.numbers.number import ORIGIN, Area, Edge, Point
-
-_RelationName = Literal["OVERLAP", "CONTACT", "FREE"]
-
-_VERDICTS: dict[Relation, _RelationName] = {
-    Relation.OVERLAP: "OVERLAP",
-    Relation.CONTACT: "CONTACT",
-    Relation.APART: "FREE",
-}
 
 
 class Overlap:
@@ -66,10 +57,11 @@ class Overlap:
         return scale, [first, second]
 
     @cached_property
-    def verdict(self) -> _RelationName:
+    def verdict(self) -> str:
         """Decide: "OVERLAP" if the interiors meet, "CONTACT" if the boundaries do, or "FREE"."""
         first, second = self._lattice[1]
-        return _VERDICTS[relate(EdgeIndex(first), EdgeIndex(second))]
+        relation: str = relate(EdgeIndex(first), EdgeIndex(second)).value
+        return relation
 
     @cached_property
     def _boundary(self) -> list[Edge]:

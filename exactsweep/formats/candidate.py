@@ -20,7 +20,7 @@ from exactsweep.geometry.polygon import Polygon
 from exactsweep.geometry.region import AnyPolygon, Region
 from exactsweep.numbers.error import NumberError
 from exactsweep.numbers.limits import answer_digits
-from exactsweep.numbers.number import Point, split_ratios
+from exactsweep.numbers.number import Point
 from exactsweep.words import count
 
 _Any = TypeVar("_Any")
@@ -229,8 +229,8 @@ class Candidate(NamedTuple):
         Only transformations and curves produce them: a product has the digits of all factors.
         """
         points = self.vertices()
-        numerators, denominators = split_ratios([*chain.from_iterable(points)])
-        longest = max((0, *denominators, *numerators)) | -min((0, *numerators))
+        numbers = (n for c in chain.from_iterable(points) for n in c.as_integer_ratio())
+        longest = max(map(abs, numbers), default=0)
         # A bit is 0.30103 digits, rounded up.
         if longest.bit_length() * 30_103 > answer_digits() * 100_000:
             raise NumberError(f"a coordinate has more than {answer_digits()} digits (max_digits)")

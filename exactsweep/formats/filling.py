@@ -70,7 +70,7 @@ def fill(rings: Sequence[Sequence[Point]], rule: Rule, *, measured: bool = False
     >>> [[*map(find_doubled_area, rings)] for rings in fill([bow], "nonzero").regions]
     [[Fraction(2, 1)], [Fraction(2, 1)]]
     """
-    scale, points = to_lattice(*zip(*(p for ring in rings for p in ring), strict=True))
+    scale, points = to_lattice([p for ring in rings for p in ring])
     edges: defaultdict[Edge, int] = defaultdict(int)
     first = drawn = 0
     for ring in rings:

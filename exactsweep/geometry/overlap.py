@@ -33,9 +33,9 @@ _EdgeCone = tuple[Vertex, Vertex]
 class Relation(Enum):
     """The relation of two shapes."""
 
-    APART = "apart"
-    CONTACT = "contact"
-    OVERLAP = "overlap"
+    APART = "FREE"
+    CONTACT = "CONTACT"
+    OVERLAP = "OVERLAP"
 
 
 def relate(
@@ -48,7 +48,7 @@ def relate(
 
     >>> square = EdgeIndex([[(0, 0), (2, 0), (2, 2), (0, 2)]])
     >>> [relate(square, square, k, k).value for k in (1, 2, 3)]
-    ['overlap', 'contact', 'apart']
+    ['OVERLAP', 'CONTACT', 'FREE']
     """
     x0, x1, y0, y1 = x // scale, -(-x // scale), y // scale, -(-y // scale)
     (left, right, low, high), (west, east, south, north) = shape.box, part.box

@@ -88,7 +88,13 @@ class Polygon(PointSet):
         self._directions = None
 
     @classmethod
-    def _trust(cls, points: Sequence[Vertex], scale: int | None = None) -> Self:
+    def _trust(
+        cls,
+        points: Sequence[Vertex],
+        scale: int | None = None,
+        vertex_index: Sequence[int] | None = None,
+        edge_index: Sequence[int] | None = None,
+    ) -> Self:
         """Make a Polygon of canonical points, divided by the scale if there is one, unchecked."""
         polygon = cls.__new__(cls)
         polygon._vertices = polygon._lattice = None
@@ -97,7 +103,8 @@ class Polygon(PointSet):
         else:
             polygon._lattice = reduce_lattice(scale, tuple(points))
         polygon._convex = polygon._monotone = polygon._directions = None
-        polygon._vertex_index = polygon._edge_index = range(len(points))
+        polygon._vertex_index = vertex_index or range(len(points))
+        polygon._edge_index = edge_index or range(len(points))
         return polygon
 
     @property
@@ -135,7 +142,7 @@ class Polygon(PointSet):
         """
         if self._lattice is None:
             assert self._vertices is not None
-            scale, points = to_lattice(*zip(*self._vertices, strict=True))
+            scale, points = to_lattice(self._vertices)
             self._lattice = scale, tuple(points)
         return self._lattice
 
@@ -200,21 +207,16 @@ class Polygon(PointSet):
         vertex_index, edge_index = list(self._vertex_index), list(self._edge_index)
         if a * d < b * c:
             # In reverse order; the edge after a vertex is then the edge that was before it.
-            image.reverse()
-            vertex_index.reverse()
+            image, vertex_index = image[::-1], vertex_index[::-1]
             edge_index = [*edge_index[-2::-1], edge_index[-1]]
         first = image.index(min(image))
         image = image[first:] + image[:first]
+        numbers = [row[first:] + row[:first] for row in (vertex_index, edge_index)]
         if all(type(part) is int for point in image for part in point):
-            polygon = Polygon._trust(image, scale)
-        else:
-            # Unrelated denominators: the lattice of such a polygon is its vertices.
-            polygon = Polygon._trust(
-                [Point(Fraction(x) / scale, Fraction(y) / scale) for x, y in image]
-            )
-        polygon._vertex_index = vertex_index[first:] + vertex_index[:first]
-        polygon._edge_index = edge_index[first:] + edge_index[:first]
-        return polygon
+            return Polygon._trust(image, scale, *numbers)
+        # Unrelated denominators: the lattice of such a polygon is its vertices.
+        found = [Point(Fraction(x) / scale, Fraction(y) / scale) for x, y in image]
+        return Polygon._trust(found, None, *numbers)
 
     def to_sympy(self) -> "sympy.Polygon":
         """Return the polygon as a `sympy.geometry.Polygon`.
@@ -266,34 +268,23 @@ class Polygon(PointSet):
         return self.vertices == other.vertices
 
     def __reduce__(self) -> tuple[object, ...]:
-        state = (*self.lattice(), [*self._vertex_index], [*self._edge_index])
-        return Polygon._restore, state
-
-    @classmethod
-    def _restore(
-        cls,
-        scale: int,
-        points: Sequence[Vertex],
-        vertex_index: Sequence[int],
-        edge_index: Sequence[int],
-    ) -> "Polygon":
-        """Restore a copy with the numbers of the input, without validation."""
-        polygon = cls._trust(points, scale)
-        polygon._vertex_index, polygon._edge_index = vertex_index, edge_index
-        return polygon
+        scale, points = self.lattice()
+        return Polygon._trust, (points, scale, [*self._vertex_index], [*self._edge_index])
 
     def __hash__(self) -> int:
         return hash(self.vertices)
 
     def __repr__(self) -> str:
-        literals = [write_literals(vertex) for vertex in self._head()]
+        literals = [write_literals(vertex) for vertex in self.vertices[:_SHOWN_VERTICES]]
         if len(self) > _SHOWN_VERTICES or None in literals:
             return f"<Polygon of {len(self)} vertices: {self}>"
         return f"Polygon([{', '.join(map(str, literals))}])"
 
     def __str__(self) -> str:
-        shown = [f"({', '.join(map(abridge, v))})" for v in self._head()]
-        return " ".join(shown + self._more())
+        shown = [f"({', '.join(map(abridge, v))})" for v in self.vertices[:_SHOWN_VERTICES]]
+        if len(self) > _SHOWN_VERTICES:
+            shown.append(f"... {len(self) - _SHOWN_VERTICES} more")
+        return " ".join(shown)
 
     def __format__(self, spec: str) -> str:
         """Write all vertices with coordinates in a format of floats, as in `f"{polygon:.3f}"`."""
@@ -301,13 +292,6 @@ class Polygon(PointSet):
 
     def _facts(self) -> list[tuple[str, str]]:
         return [("area", abridge(self.area)), ("convex", "yes" if self.is_convex else "no")]
-
-    def _head(self) -> tuple[Point, ...]:
-        return self.vertices[:_SHOWN_VERTICES]
-
-    def _more(self) -> list[str]:
-        hidden = len(self) - _SHOWN_VERTICES
-        return [f"... {hidden} more"] if hidden > 0 else []
 
 
 Sequence.register(Polygon)

@@ -1,23 +1,20 @@
 """Readers of vertices: pairs of numbers, and objects with a `__geo_interface__`.
 
-Vertices become points of one integer lattice. Numbers are read column by column: checks of a
-hundred thousand vertices one by one would take longer than the sweep of the polygon.
+Vertices become points of one integer lattice.
 """
 
 from __future__ import annotations
 
 import sys
 from collections.abc import Iterable, Mapping, Sequence
-from fractions import Fraction
 from itertools import chain
 from math import gcd, lcm
-from operator import mul
 from typing import Any, cast
 from warnings import warn
 
 from exactsweep.geometry.canonical import PolygonError
-from exactsweep.numbers.error import NumberError, name_refusals, quote
-from exactsweep.numbers.number import Point, Vertex, split_ratios, to_fraction
+from exactsweep.numbers.error import name_refusals, quote
+from exactsweep.numbers.number import Point, Vertex, to_fraction
 
 _LATTICE_BITS = 8192
 _PACKAGE = "exactsweep."
@@ -129,53 +126,26 @@ def read_vertices(vertices: Iterable[Iterable[object]]) -> Lattice:
     except TypeError:
         raise PolygonError(f"{type(vertices).__name__} is not a sequence of vertices") from None
     rows = list(pairs)
-    found = _read_columns(rows)
-    if found is None:
-        points = [read_point(pair, f"vertex {i}") for i, pair in enumerate(rows)]
-        found = to_lattice(*zip(*points, strict=True)) if points else (1, [])
-    return found
+    if all(type(row) in (tuple, list) and [*map(type, row)] == [int, int] for row in rows):
+        return 1, cast(Sequence[Vertex], [*map(tuple, rows)])
+    points = [read_point(pair, f"vertex {i}") for i, pair in enumerate(rows)]
+    return to_lattice(points)
 
 
-def _read_columns(vertices: Sequence[Iterable[object]]) -> Lattice | None:
-    """Read the coordinates column by column if every vertex is a tuple or list of length two.
-
-    Returns None otherwise, and for rejected numbers: the caller then names the error.
-    """
-    kinds = set(map(type, vertices))
-    if not kinds <= {tuple, list, Point} or set(map(len, vertices)) != {2}:  # type: ignore[arg-type]
-        return None
-    flat = list(chain.from_iterable(vertices))
-    numbers = set(map(type, flat))
-    if numbers == {int}:
-        points = vertices if kinds == {tuple} else list(zip(flat[::2], flat[1::2], strict=True))
-        return 1, cast(Sequence[Vertex], points)
-    if numbers != {Fraction}:
-        try:
-            flat = list(map(to_fraction, flat))
-        except NumberError:
-            return None
-    return to_lattice(cast(list[Fraction], flat[::2]), cast(list[Fraction], flat[1::2]))
-
-
-def to_lattice(xs: Iterable[Fraction], ys: Iterable[Fraction]) -> Lattice:
+def to_lattice(points: Sequence[Point]) -> Lattice:
     """Put points on the coarsest integer lattice that holds them.
 
     Returns the scale, the least common denominator, and the points times the scale, as pairs of
     ints. If the scale would exceed 8192 bits, it is 1 and the points are unchanged: with unrelated
     denominators, each int would be longer than all coordinates together.
     """
-    xs, ys = tuple(xs), tuple(ys)
-    (px, qx), (py, qy) = split_ratios(xs), split_ratios(ys)
-    denominators = {*qx, *qy}
-    scale = lcm_within(denominators)
+    scale = lcm_within({c.denominator for point in points for c in point})
     if scale is None:
-        return 1, list(zip(xs, ys, strict=True))
-    if scale == 1:
-        return 1, list(zip(px, py, strict=True))
-    factor = {denominator: scale // denominator for denominator in denominators}.__getitem__
-    return scale, list(
-        zip(map(mul, px, map(factor, qx)), map(mul, py, map(factor, qy)), strict=True)
-    )
+        return 1, points
+    return scale, [
+        (x.numerator * (scale // x.denominator), y.numerator * (scale // y.denominator))
+        for x, y in points
+    ]
 
 
 def reduce_lattice(scale: int, points: tuple[Vertex, ...]) -> tuple[int, tuple[Vertex, ...]]:

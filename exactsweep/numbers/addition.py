@@ -10,8 +10,6 @@ from fractions import Fraction
 from operator import add
 from typing import TypeVar
 
-from exactsweep.numbers.number import split_ratios
-
 _Pair = tuple[int, int]
 _Term = TypeVar("_Term", _Pair, Fraction)
 
@@ -27,7 +25,7 @@ def add_up(terms: Iterable[Fraction]) -> Fraction:
     >>> add_up(Fraction(1, k * (k + 1)) for k in range(1, 100))
     Fraction(99, 100)
     """
-    return add_ratios(zip(*split_ratios([*terms]), strict=True))
+    return add_ratios(term.as_integer_ratio() for term in terms)
 
 
 def add_ratios(terms: Iterable[_Pair]) -> Fraction:

@@ -13,6 +13,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from fractions import Fraction
+from functools import total_ordering
 
 from exactsweep.numbers.number import Vertex
 
@@ -22,6 +23,7 @@ _BITS = 256
 _Ratio = tuple[int, int]
 
 
+@total_ordering
 class LazyNumber:
     """A number that is computed only if its interval does not decide; made by `lazy_points`."""
 
@@ -67,15 +69,6 @@ class LazyNumber:
 
     def __lt__(self, other: LazyNumber | int) -> bool:
         return self._sign(other) < 0
-
-    def __le__(self, other: LazyNumber | int) -> bool:
-        return self._sign(other) <= 0
-
-    def __gt__(self, other: LazyNumber | int) -> bool:
-        return self._sign(other) > 0
-
-    def __ge__(self, other: LazyNumber | int) -> bool:
-        return self._sign(other) >= 0
 
     def __eq__(self, other: object) -> bool:
         return isinstance(other, LazyNumber | int) and self._sign(other) == 0

@@ -145,11 +145,6 @@ def _make_reduced(numerator: int, denominator: int) -> Fraction:
     return fraction
 
 
-def split_ratios(values: Sequence[Fraction]) -> tuple[list[int], list[int]]:
-    """Return the numerators and the denominators of many numbers."""
-    return [v.numerator for v in values], [v.denominator for v in values]
-
-
 def ratio(value: int | Fraction, divisor: int | Fraction) -> int | Fraction:
     """Divide by a positive number; the result is an int if it is whole.
 

@@ -59,4 +59,4 @@ def test_the_longest_scale_has_8192_bits() -> None:
     assert lcm_within([]) == 1
     for bits, scale in ((8191, 2**8191), (8192, 1)):
         unit = Fraction(1, 2**bits)
-        assert to_lattice([unit, Fraction(1)], [Fraction(0), unit])[0] == scale
+        assert to_lattice([Point(unit, Fraction(0)), Point(Fraction(1), unit)])[0] == scale
