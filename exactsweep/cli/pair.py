@@ -327,7 +327,11 @@ def read_placed(
             [f"{', '.join(map(show_path, files))}: Y axis flipped to match the other files"]
         )
         others = [region.scaled((1, -1)) for region in others]
-    return first, second, regions + others
+    # A drawing of a nest has its sheet, too.
+    kept = [one for one in others if one.holes or one.exterior != first.exterior]
+    if len(kept) < len(others):
+        print_notes([f"{', '.join(map(show_path, files))}: skipped: the outline of the container"])
+    return first, second, regions + kept
 
 
 def _read_layout(path: str, reading: ReadingOptions) -> list[Region]:

@@ -92,3 +92,14 @@ def test_defects_may_cross_the_edge_and_each_other(tmp_path: Path) -> None:
     assert found["regions"][0]["exterior"] == [
         [str(c) for c in p] for p in wanted.exterior.vertices
     ]
+
+
+def test_the_sheet_of_a_placed_drawing_is_no_obstacle(tmp_path: Path) -> None:
+    drawing, part = tmp_path / "nest.svg", tmp_path / "part.json"
+    rects = '<rect id="sheet" width="9" height="4"/><rect id="a" width="4" height="4"/>'
+    drawing.write_text(f'<svg xmlns="http://www.w3.org/2000/svg">{rects}</svg>')
+    part.write_text("[[0, 0], [5, 0], [5, 4], [0, 4]]")
+    done = run("ifp", f"{drawing}#sheet", str(part), "--placed", str(drawing), "--json")
+    assert done.exit_code == 0
+    assert "skipped: the outline of the container" in done.stderr
+    assert json.loads(done.stdout)["exact_fits"]
