@@ -36,12 +36,12 @@ cgal_option = click.option(
 
 
 def measure_peers(quick: bool, limit: float) -> Comparison:
-    """Run the comparison; what is under way goes to standard error."""
+    """Run the comparison with its progress on standard error."""
     return compare(limit=limit, quick=quick, say=Console(stderr=True, style="dim").print)
 
 
 def show(tables: Iterable[object], width: int = WIDTH) -> None:
-    """Print the machine, and tables as they come, each as wide as it has to be."""
+    """Print the machine, and tables as they are ready."""
     console = Console(width=max(width, Console().width))
     console.print(machine())
     for table in tables:
@@ -50,15 +50,15 @@ def show(tables: Iterable[object], width: int = WIDTH) -> None:
 
 @click.group()
 def main() -> None:
-    """Measure growth against the claimed bounds, and time against other programs."""
+    """Compare growth with the claimed bounds, and times with other programs."""
 
 
 @main.command()
 @quick_option
 def scaling(quick: bool) -> None:
-    """Operations, seconds and bytes of each procedure over doubling sizes.
+    """Measure operations, seconds and bytes of each procedure over doubling sizes.
 
-    The exit code is 1 if one of them grows beyond the paper's bound.
+    The exit code is 1 if one of them exceeds the paper's bound.
     """
     console = Console(width=max(WIDTH, Console().width))
     console.print(machine())
@@ -97,7 +97,7 @@ def growth(quick: bool, plot: Path | None) -> None:
     measured = list(growth_runs.measure_all(quick=quick))
     show([growth_runs.tabulate(measured)])
     if plot is not None:
-        # matplotlib is needed for nothing else.
+        # Only plots need matplotlib.
         from benchmarks import plots
 
         plots.shapes(measured, plot)
@@ -107,7 +107,7 @@ def growth(quick: bool, plot: Path | None) -> None:
 @quick_option
 @click.option("--workers", default=2, help="How many processes of a Dask cluster.")
 def batches(workers: int, quick: bool) -> None:
-    """Batches over two decades of pairs on a Dask cluster, and what 10^9 pairs would take."""
+    """Measure batches of increasing size on a Dask cluster, and predict one of 10^9 pairs."""
     show(batch_runs.tabulate(workers=workers, quick=quick))
 
 
@@ -115,7 +115,7 @@ def batches(workers: int, quick: bool) -> None:
 @quick_option
 @limit_option
 def peers(quick: bool, limit: float) -> None:
-    """The same sweeps by SFCGAL, shapely, Clipper and KLayout, side by side."""
+    """Compare sweeps with SFCGAL, shapely, Clipper and KLayout."""
     found = measure_peers(quick, limit)
     skipped = (f"skipped: {name}, {reason}" for name, reason in found.skipped.items())
     show([", ".join(found.versions.values()), *skipped, *tabulate(found)])
@@ -133,7 +133,7 @@ def layouts(quick: bool, cgal: Path | None) -> None:
 @limit_option
 @cgal_option
 def fair(limit: float, cgal: Path | None) -> None:
-    """Loops by CGAL and by the kernel: kept, rebuilt, from text; memory, crashes."""
+    """Compare CGAL and the kernel on cached, rebuilt and parsed polygons."""
     with TemporaryDirectory() as folder:
         program = Cgal(cgal or compile_program(Path(folder)), limit, fair_runs.SECONDS)
         show(fair_runs.tabulate(program), WIDE)
@@ -146,7 +146,7 @@ def fair(limit: float, cgal: Path | None) -> None:
 @limit_option
 def report(folder: Path, redraw: bool, quick: bool, limit: float) -> None:
     """Measure everything, and write Markdown and plots into a folder."""
-    # matplotlib is needed for nothing else.
+    # Only plots need matplotlib.
     from benchmarks.report import save, write
 
     if not redraw:

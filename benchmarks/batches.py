@@ -1,8 +1,8 @@
-"""The cost of a batch on a Dask cluster, measured over two decades of pairs, and its model.
+"""The cost of a batch on a Dask cluster, and a linear model of it.
 
-Processor time of the client with its scheduler, and of the workers, on one machine. The model: each
-pair takes the workers the same time, and each chunk the client with its scheduler, however many
-pairs are in it. Both come from all batches except the largest, and are compared with the largest.
+The cost is the processor time of the client with its scheduler, and of the workers, on one machine.
+In the model, each pair costs the workers the same time, and each chunk the client. It is fitted to
+all batches except the largest, and compared with the largest.
 """
 
 from __future__ import annotations
@@ -24,7 +24,7 @@ from exactsweep.batch.job import Job
 from exactsweep.batch.parts import Part
 
 SIDES = (1, 10, 32, 100)
-"""The number of parts of each of the two lists; one pair alone measures start and end."""
+"""The number of parts in both lists; a single pair measures start and end."""
 LARGE, LARGE_CHUNK = 10**9, 512
 _SAMPLE = 1000
 
@@ -40,7 +40,7 @@ class BatchCost(NamedTuple):
 
 
 def draw_parts(count: int) -> list[Part]:
-    """Parts of 16 to 24 vertices of all classes."""
+    """Make parts of 16 to 24 vertices of all classes."""
     names = ("cc", "cm", "mm", "stair")
     return [
         Part(f"{name} {k}", Polygon(FAMILIES[name](16 + k % 9 // 2 * 2, 16, k)[1]))
@@ -50,7 +50,7 @@ def draw_parts(count: int) -> list[Part]:
 
 
 def measure(job: Job, folder: Path, workers: int) -> BatchCost:
-    """Run a batch on a Dask cluster of its own."""
+    """Run a batch on a new Dask cluster."""
     output = folder / "records.jsonl"
     before = _read_seconds()
     run(job, str(output), workers=workers, scheduler="local", restart=True)
@@ -60,7 +60,7 @@ def measure(job: Job, folder: Path, workers: int) -> BatchCost:
 
 
 def measure_pair(job: Job) -> float:
-    """Seconds that a pair of a batch takes, computed in this process."""
+    """Measure the seconds per pair of a batch in this process."""
     pairs = [pair for chunk in job.chunks(0) for pair in chunk]
     pairs = Random(0).sample(pairs, min(_SAMPLE, len(pairs)))
     start = process_time()
@@ -75,7 +75,7 @@ def tabulate(*, workers: int, quick: bool) -> Iterator[Table]:
         for side in SIDES[:3] if quick else SIDES:
             parts = draw_parts(side)
             jobs.append(take_all_pairs(parts, parts, "areas"))
-        # The first one alone pays for what is imported.
+        # The first one includes imports.
         costs = [measure(job, Path(folder), workers) for job in (jobs[0], *jobs)][1:]
         alone = measure_pair(jobs[-1])
     yield tabulate_costs(costs, workers)
@@ -83,7 +83,7 @@ def tabulate(*, workers: int, quick: bool) -> Iterator[Table]:
 
 
 def tabulate_costs(costs: Sequence[BatchCost], workers: int) -> Table:
-    """The measurements, and for each batch the cost of a further pair since the batch before."""
+    """Tabulate the measurements, with the cost of an additional pair in each batch."""
     table = Table(
         *("pairs", "chunks", "client and scheduler", "workers", "records"),
         *("workers, ms a further pair", "client, ms a further chunk"),
@@ -105,7 +105,7 @@ def tabulate_costs(costs: Sequence[BatchCost], workers: int) -> Table:
 
 
 def tabulate_model(costs: Sequence[BatchCost], alone: float) -> Table:
-    """The model, from all batches but the last: what it says of that, and of a large one."""
+    """Tabulate the model's predictions for the last batch and a large one."""
     start, middle, largest = costs[0], costs[-2], costs[-1]
     pair = (middle.workers - start.workers) / (middle.pairs - start.pairs)
     chunk = (middle.client - start.client) / (middle.chunks - start.chunks)
@@ -131,7 +131,7 @@ def tabulate_model(costs: Sequence[BatchCost], alone: float) -> Table:
 
 
 def _read_seconds() -> list[float]:
-    """The processor time of this process, and of those that it has waited for."""
+    """Return the processor time of this process and its finished children."""
     try:
         from resource import RUSAGE_CHILDREN, RUSAGE_SELF, getrusage
     except ImportError:

@@ -1,8 +1,4 @@
-"""Time and memory, and what they were measured on.
-
-Times are the processor's for one process and one thread: the wall time of a machine that does
-nothing else, whatever other jobs there are.
-"""
+"""Processor time of one process and thread, memory, and a description of the machine."""
 
 from __future__ import annotations
 
@@ -20,11 +16,11 @@ from exactsweep.processes import read_peak
 
 REPEATS = 100
 FINEST = 100e-6
-"""Seconds; a clock with coarser ticks cannot time the small pairs."""
+"""The coarsest useful tick in seconds."""
 
 
 class ClockError(RuntimeError):
-    """A processor clock too coarse to measure with."""
+    """A processor clock that is too coarse."""
 
 
 class Times(NamedTuple):
@@ -40,10 +36,7 @@ class Times(NamedTuple):
 
 
 def milliseconds(call: Callable[[], object], seconds: float = 0.3) -> list[float]:
-    """Call for about that many seconds in all, at least once and at most 100 times.
-
-    Returns the time of each call.
-    """
+    """Time calls for about some seconds in total, 1 to 100 calls; return the time of each."""
     times: list[float] = []
     while not times or (len(times) < REPEATS and sum(times) < 1000 * seconds):
         start = process_time()
@@ -53,12 +46,7 @@ def milliseconds(call: Callable[[], object], seconds: float = 0.3) -> list[float
 
 
 def require_fine_clock() -> None:
-    """Make sure that the processor's clock runs smoothly.
-
-    The resolution that a system states is not always what it delivers.
-
-    Raises ClockError.
-    """
+    """Check the resolution of the processor clock by measurement; raise ClockError."""
     ticks: list[float] = []
     last = process_time()
     while len(ticks) < 20:
@@ -71,7 +59,7 @@ def require_fine_clock() -> None:
 
 
 def machine() -> str:
-    """Processor, Python and date, for the head of a table."""
+    """Describe processor, Python and date, for the head of a table."""
     processor = platform.processor() or platform.machine()
     described = Path("/proc/cpuinfo")
     if described.exists():
@@ -84,8 +72,8 @@ def machine() -> str:
 
 
 def peak() -> int:
-    """Return the most bytes that this process has held in memory."""
-    # The result of getrusage on Linux includes the parent, up to the start of this program.
+    """Return the peak memory of this process in bytes."""
+    # On Linux, getrusage includes the parent until this program starts.
     if held := read_peak(os.getpid()):
         return held
     import resource

@@ -1,9 +1,8 @@
-"""CGAL and the kernel on the same pairs in the same states: kept, rebuilt, and from text.
+"""CGAL and the kernel on the same pairs: cached, rebuilt and parsed polygons.
 
-CGAL's time is that of its fastest strategy for each step, with all coordinates of the result forced
-to be exact; its three loops are three sums. A strategy that crashes, gives no polygon or gives
-another answer is counted. Both sides are measured in turn, on processor time, each as its least of
-some runs; memory is the most that a process held, in MB, the interpreter included.
+CGAL's time is that of its fastest strategy for each step, including exact coordinates of the
+result; its three loops are three sums. Both programs run alternately; the table has the least
+processor time of several runs, and the peak memory in MB including the interpreter.
 """
 
 from __future__ import annotations
@@ -27,12 +26,12 @@ MODES = {"kept": "trajectory", "": "first", "text": "text"}
 SIZES = (16, 64, 256)
 SHAPES = (("radial", 16, 16), ("radial", 64, 64), ("radial", 256, 64), ("tangled", 26, 18))
 CORPUS = ("caves", "interlocking", "jigsaw", "parts", "rectilinear", "spirals")
-"""The families of the corpus with outlines of parts, of any shape and monotone ones."""
+"""The families of the corpus with outlines of parts."""
 ONE_OF = 8
-"""The share of the pairs of a family of the corpus that are measured, 1 / ONE_OF."""
+"""One in ONE_OF pairs of a family of the corpus is measured."""
 TURNS = 2
 SECONDS = 0.1
-"""Each operation is repeated for so long in each turn."""
+"""Seconds of repetitions of each operation in each turn."""
 BYTES = 1_000_000
 
 Pair = tuple[Ring, Ring]
@@ -53,7 +52,7 @@ class Measured(NamedTuple):
 
     @property
     def ratio(self) -> float:
-        """Return how many times as fast the kernel is."""
+        """The time of CGAL divided by that of the kernel."""
         return self.cgal.time / self.ours.time
 
     def cells(self) -> list[str]:
@@ -63,15 +62,7 @@ class Measured(NamedTuple):
 def measure(
     cgal: Cgal, name: str, pair: Pair, operation: str, mode: str = "kept"
 ) -> Measured | None:
-    """Measure one state in turn; None if CGAL has no answer within its limit, or a wrong one.
-
-    Args:
-        cgal: runs CGAL.
-        name: of the family of the pair, for what is learnt about strategies.
-        pair: generatrix and directrix.
-        operation: of `benchmarks.peers.ours`; its first loop is the trajectory.
-        mode: of CGAL's program.
-    """
+    """Measure both programs in one mode; None if CGAL has no correct answer within its limit."""
     generatrix, directrix = pair
     inverse = [(-x, -y) for x, y in generatrix]
     ours: list[Ran] = []
@@ -101,7 +92,7 @@ def measure(
 
 
 def measure_row(cgal: Cgal, name: str, m: int, n: int) -> list[str]:
-    """The row of one pair: each state, three loops, memory, and strategies that failed."""
+    """Write the row of one pair: each mode, three loops, memory, and failed strategies."""
     pair = (FAMILIES | ANY_SHAPE)[name](m, n, 0)
     row = [f"{name} {m}, {n}"]
     failures = None
@@ -119,7 +110,7 @@ def measure_row(cgal: Cgal, name: str, m: int, n: int) -> list[str]:
 
 
 def measure_outlines(cgal: Cgal) -> Iterator[list[str]]:
-    """Rows of the families of the corpus, by class: pairs, ratios, unanswered, memory."""
+    """Write rows of the families of the corpus by class: pairs, ratios, unanswered, memory."""
     outlines: defaultdict[str, list[Pair]] = defaultdict(list)
     for family, pair in list_outlines(CORPUS):
         kind = "any shape" if sweep(*pair).kind == "SS" else "monotone"
@@ -142,7 +133,7 @@ def _summarize(found: Sequence[Measured]) -> list[str]:
 
 
 def tabulate(cgal: Cgal) -> Iterator[Table]:
-    """The table of the families, and that of outlines of the corpus."""
+    """Tabulate the families, and the outlines of the corpus."""
     failed = ("crashes", "other answers")
     table = Table(title=f"CGAL {cgal.version}")
     table.add_column("pair")

@@ -1,8 +1,8 @@
-"""Named, seeded families of pairs, the same for every command of the benchmarks.
+"""Named, seeded families of pairs for the benchmarks.
 
-Each takes (m, n, seed), m and n even, and returns (generatrix with n vertices, directrix with m
-vertices), as lists of pairs of ints, counter-clockwise; figure10 is not random and takes the seed
-for nothing. Those that the paper's claims are counted on are in `corpus.generator.growing`.
+Each takes (m, n, seed), m and n even, and returns a generatrix of n and a directrix of m vertices
+as counter-clockwise lists of pairs of ints; `figure10` ignores the seed. The families for the
+paper's claims are in `corpus.generator.growing`.
 """
 
 from __future__ import annotations
@@ -36,19 +36,19 @@ def stair(m: int, n: int, seed: int = 0) -> tuple[Ring, Ring]:
 
 
 def star(n: int, random: Random, size: int = 10**6) -> Ring:
-    """A polygon with its vertices at equal angles, at random distances from the middle."""
+    """A polygon with vertices at equal angles and random distances from the centre."""
     turn, radii = 2 * pi / n, [random.uniform(0.35 * size, size) for _ in range(n)]
     return [(round(r * cos(k * turn)), round(r * sin(k * turn))) for k, r in enumerate(radii)]
 
 
 def radial(m: int, n: int, seed: int = 0) -> tuple[Ring, Ring]:
-    """Two spiky stars, monotone in no direction."""
+    """Two spiky stars without a direction of monotonicity."""
     random = Random(f"radial {m} {n} {seed}")
     return star(n, random), star(m, random)
 
 
 def tangle(n: int, random: Random, size: int = 1000) -> Ring:
-    """Random points, and a way through them that is turned round until it does not cross itself."""
+    """A random tour of random points, untangled by 2-opt."""
     while True:
         ring = untangle((random.randrange(size), random.randrange(size)) for _ in range(n))
         try:
@@ -58,7 +58,7 @@ def tangle(n: int, random: Random, size: int = 1000) -> Ring:
 
 
 def tangled(m: int, n: int, seed: int = 0) -> tuple[Ring, Ring]:
-    """Two outlines with caves and hooks, such as are published for tests of nesting programs."""
+    """Two outlines with caves and hooks, like published tests of nesting programs."""
     random = Random(f"tangled {m} {n} {seed}")
     return tangle(n, random), tangle(m, random)
 
@@ -73,5 +73,5 @@ FAMILIES: dict[str, Family] = {
     "figure10": figure10,
 }
 
-# Without a shared direction of monotonicity: beyond the paper's procedures.
+# Pairs without a shared direction of monotonicity.
 ANY_SHAPE: dict[str, Family] = {"radial": radial, "tangled": tangled}

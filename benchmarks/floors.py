@@ -1,7 +1,7 @@
-"""The cost of evidence and proof, compared with the sweep: `verify`, undercuts and the page.
+"""The cost of `verify`, undercuts and the page, compared with the sweep.
 
-The sweep time covers the three loops but not the construction of the polygons. `verify` takes a
-parsed certificate; `json.loads` is timed in a separate column.
+The sweep time excludes the construction of the polygons. `verify` takes a parsed certificate;
+`json.loads` has its own column.
 """
 
 from __future__ import annotations
@@ -27,7 +27,7 @@ SIZES = ((16, 16), (64, 64), (256, 64), (256, 256))
 
 
 def comb(teeth: int, pitch: int = 4000, height: int = 10**6) -> Ring:
-    """A comb with its teeth up, each a quarter of the pitch wide, of 4 k + 2 vertices."""
+    """Make a comb of 4 k + 2 vertices, its teeth a quarter of the pitch wide."""
     top: Ring = []
     for x in range(0, pitch * teeth, pitch):
         top += [(x, 2 * height), (x + pitch // 4, 2 * height)]
@@ -36,12 +36,12 @@ def comb(teeth: int, pitch: int = 4000, height: int = 10**6) -> Ring:
 
 
 def least(call: Callable[[], object]) -> float:
-    """The least time of several calls, in milliseconds, because other load only adds to it."""
+    """Return the least time of several calls in milliseconds."""
     return min(milliseconds(call))
 
 
 def after_loops(step: Callable[[Sweep], object], *pair: Polygon) -> float:
-    """The least time of a step on a sweep whose loops are computed, in milliseconds."""
+    """Return the least time of a step after the sweep in milliseconds."""
     times = []
     for _ in range(3):
         s = sweep(*pair)
@@ -68,7 +68,7 @@ def run_loops(generatrix: Polygon, directrix: Polygon) -> None:
 
 
 def tabulate(*, quick: bool) -> Iterator[Table]:
-    """The pairs of every family; unless `quick`, also a page of a large pair."""
+    """Measure the pairs of every family; unless `quick`, also the page of a large pair."""
     table = Table(
         *("family", "m, n", "trajectory", "three loops", "verify", "times", "JSON, times"),
         *("undercuts", "times the trajectory", "certificate"),

@@ -2,9 +2,8 @@
 
     python -m benchmarks.growth CASE SIZE
 
-Seconds are the processor's for one run of the question, of polygons that are made; memory is the
-most that the process held, the interpreter included. Strips, stars and combs give most contact
-segments; long numbers make each step slower, but not more steps.
+Seconds of processor time exclude the construction of the polygons; memory is the peak of the
+process, including the interpreter.
 """
 
 from __future__ import annotations
@@ -38,24 +37,24 @@ Question = Callable[[], object]
 
 
 def strips(n: int) -> Ring:
-    """A strip of n vertices, up and down, 400 high."""
+    """Make a zigzag strip of n vertices, 400 high."""
     up = [(2 * i, 400 if i % 2 else 0) for i in range(n // 2)]
     return up + [(x, y + 3) for x, y in reversed(up)]
 
 
 def saw(n: int) -> Ring:
-    """A saw of n vertices, an odd number, with teeth 100 high that fill half of its bounds."""
+    """Make a saw of an odd number n of vertices, with teeth 100 high."""
     return [(0, 0), (n - 3, 0), *((x, 100 if x % 2 else 3) for x in range(n - 3, -1, -1))]
 
 
 def spikes(n: int, outer: int, inner: int) -> Ring:
-    """A star of n vertices at two distances from the middle."""
+    """Make a star of n vertices at two distances from the centre."""
     ends = [((inner if k % 2 else outer), 2 * pi * k / n) for k in range(n)]
     return [(round(r * cos(angle)), round(r * sin(angle))) for r, angle in ends]
 
 
 def hooks(n: int) -> Ring:
-    """A comb whose teeth end in hooks, of n vertices, four more than a multiple of eight."""
+    """Make a comb of n = 8 k + 4 vertices whose teeth end in hooks."""
     tooth = (0, 10), (0, 20), (6, 20), (6, 14), (4, 14), (4, 18), (2, 18), (2, 10)
     lefts = range(10, 10 + 10 * (n // 8), 10)
     top = [(left + x, y) for left in lefts for x, y in tooth]
@@ -86,7 +85,7 @@ def ask_loops(generatrix: Polygon, directrix: Polygon) -> Question:
 
 
 def plate(n: int) -> list[Ring]:
-    """A square plate with n square holes, moved a little at random, the plate first."""
+    """Make a square plate with n square holes at slightly random positions."""
     random, columns = Random(f"plate {n}"), isqrt(n - 1) + 1
     rings: list[Ring] = [[(0, 0), (10 * columns, 0), (10 * columns,) * 2, (0, 10 * columns)]]
     for k in range(n):
@@ -185,7 +184,7 @@ CASES = {
     "denominators": Case("loops of radial n, n by 30 digits", ask_denominators, (10, 20, 40)),
     "digits": Case("loops of combs of n, n with 300 digits", ask_digits, (8, 16, 32)),
 }
-"""The questions; `radial` has fractions with denominators of 30 digits, the combs long ints."""
+"""The questions; `radial` has denominators of 30 digits, the combs have long ints."""
 
 
 class Grown(NamedTuple):
@@ -205,7 +204,7 @@ class Grown(NamedTuple):
 
 
 def measure_all(*, quick: bool = False) -> Iterator[Grown]:
-    """Measure all cases; when it has to be quick, without the largest sizes."""
+    """Measure all cases; if `quick`, without the largest sizes."""
     for name, case in CASES.items():
         sizes = case.sizes[: -1 if quick else None]
         runs = [_measure(name, size) for size in sizes]
@@ -221,7 +220,7 @@ def _measure(name: str, size: int) -> tuple[float, float]:
 
 
 def tabulate(measured: Iterable[Grown]) -> Table:
-    """All sizes of all cases, with the slopes at the largest."""
+    """Tabulate all sizes of all cases, with the slopes at the largest."""
     table = Table("case", title="seconds and MB, slopes over the three largest sizes")
     for column in ("n", "s", "times", "slope", "MB", "slope"):
         table.add_column(column, justify="right")

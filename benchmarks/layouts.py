@@ -1,9 +1,8 @@
-"""Judging of layouts, compared with CGAL and shapely; and its growth over doubling sizes.
+"""Judging of layouts, compared with CGAL and shapely, and its growth over doubling sizes.
 
-All three are asked which placed parts overlap, and which leave the container. shapely and CGAL
-make intersections; CGAL is also asked for no more than whether interiors meet, by `do_intersect`.
-The layouts are tilings by interlocking parts with a small gap between them, or none, as dense as
-those of nesting programs are.
+All three find the placed parts that overlap or leave the container. shapely and CGAL compute
+intersections; CGAL also tests them by `do_intersect`. The layouts are tilings by interlocking
+parts, with a small gap or none, as dense as layouts of nesting programs.
 """
 
 from __future__ import annotations
@@ -33,7 +32,7 @@ SOURCE = Path(__file__).parent / "cgal" / "layouts.cpp"
 GAP, TOUCHING = "a gap", "touching borders"
 CELL = 10**9
 RECORDS = ((24, 8), (28, 8), (30, 12), (48, 20), (99, 8), (64, 12), (50, 116), (80, 212))
-"""Placements and vertices of a part, as published records have them."""
+"""Placements and vertices per part, as in published records."""
 DOUBLINGS = (625, 1250, 2500, 5000, 10_000)
 GROWING = 52
 OPERATIONS = {"CGAL": "intersection", "CGAL meet": "meet"}
@@ -46,10 +45,10 @@ def tile(number: int, vertices: int, *, gap: bool, seed: int = 1) -> Layout:
     """Make a layout of interlocking parts.
 
     Args:
-        number: how many placements.
-        vertices: of each part, 4 k + 4.
-        gap: whether there is a gap between parts, else they touch along all borders.
-        seed: of the borders.
+        number: the number of placements.
+        vertices: the number of vertices of each part, 4 k + 4.
+        gap: whether there is a gap between parts.
+        seed: the seed of the borders.
     """
     random = Random(f"{number}:{vertices}:{seed}")
     inner = (vertices - 4) // 4
@@ -70,7 +69,7 @@ def tile(number: int, vertices: int, *, gap: bool, seed: int = 1) -> Layout:
             ring = draw_tile([borders[kind] for kind in kinds], room)
             ring = [(-x, -y) for x, y in ring] if k % 2 else ring
             described.append({"id": parts[key], "exterior": ring})
-        # Borders may be steep: a part that moves a little along one comes much nearer to the next.
+        # Borders may be steep, so a small move can close a gap.
         x, y = (CELL * place + random.randint(0, room // vertices) for place in (column, row))
         turn = 180 if k % 2 else 0
         placements.append({"part": parts[key], "turn": turn, "move": [x, y]})
@@ -82,18 +81,18 @@ def tile(number: int, vertices: int, *, gap: bool, seed: int = 1) -> Layout:
 
 
 def draw_border(random: Random, inner: int) -> Offsets:
-    """The inner points of a border: distance along it, and distance from it."""
+    """Draw the inner points of a border, as distances along and from it."""
     found = []
     for k in range(1, inner + 1):
         along = CELL * k // (inner + 1)
-        # Borders that meet in a corner stay in their quarters around it.
+        # Borders that meet at a corner stay in separate quadrants.
         most = 9 * min(along, CELL - along, CELL // 3) // 10
         found.append((along, random.randint(-most, most)))
     return found
 
 
 def draw_tile(borders: list[Offsets], room: int) -> list[tuple[int, int]]:
-    """A part of one cell, from its left, right, lower and upper border, less some room."""
+    """Make the part of a cell from its left, right, lower and upper border, less a gap."""
     left, right, low, high = borders
     ring = [(room, room), *((along, off + room) for along, off in low)]
     ring += [(CELL - room, room), *((CELL + off - room, along) for along, off in right)]
@@ -102,7 +101,7 @@ def draw_tile(borders: list[Offsets], room: int) -> list[tuple[int, int]]:
 
 
 def place_all(layout: Layout) -> list[Region]:
-    """The placed parts, and the complement of the container in a frame."""
+    """List the placed parts, and the complement of the container in a frame."""
     placed = []
     for placement in layout.placements:
         region = layout.part_by_id[placement.part].region
@@ -119,7 +118,7 @@ def place_all(layout: Layout) -> list[Region]:
 
 
 def judge_ours(layout: Layout) -> Pairs:
-    """The pairs that overlap by our judge; the outside has the number after all placements."""
+    """Find the overlapping pairs by our judge; the outside has the last number."""
     outside = len(layout.placements)
     return {
         (fault.placements[0], fault.placements[1] if fault.kind == "overlap" else outside)
@@ -129,7 +128,7 @@ def judge_ours(layout: Layout) -> Pairs:
 
 
 def make_shapely(shapes: list[Region]) -> Callable[[], Pairs]:
-    """The same by shapely: a tree of boxes, and the areas of intersections, in doubles."""
+    """Find the overlapping pairs by shapely: a tree of boxes, and areas of intersections."""
     import numpy
     import shapely
 
@@ -152,7 +151,7 @@ def make_shapely(shapes: list[Region]) -> Callable[[], Pairs]:
 
 
 def write_shapes(shapes: list[Region]) -> str:
-    """Write the input of the program of CGAL."""
+    """Write the input of the CGAL program."""
     lines = [str(len(shapes))]
     for shape in shapes:
         lines.append(str(len(shape.rings)))
@@ -163,7 +162,7 @@ def write_shapes(shapes: list[Region]) -> str:
 
 
 class ComparedLayout(NamedTuple):
-    """Median times of the programs in ms for one layout, and whether all found the same pairs."""
+    """Median times in ms for one layout, and whether all programs find the same pairs."""
 
     name: str
     placements: int
@@ -173,7 +172,7 @@ class ComparedLayout(NamedTuple):
 
 
 def measure(name: str, layout: Layout, cgal: Path | None, seconds: float = 0.2) -> ComparedLayout:
-    """Judge a layout by all programs, in turn, twice."""
+    """Judge a layout by all programs alternately, twice."""
     *placed, outside = place_all(layout)
     shapes = [*placed, outside]
     by_shapely = make_shapely(shapes)
@@ -193,7 +192,7 @@ def measure(name: str, layout: Layout, cgal: Path | None, seconds: float = 0.2) 
 
 
 def compare_all(cgal: Path | None, *, quick: bool) -> Iterator[ComparedLayout]:
-    """Tilings as large as published records are, with a gap and without."""
+    """Measure tilings as large as published records, with and without a gap."""
     for number, vertices in RECORDS[:2] if quick else RECORDS:
         for gap in (True, False):
             yield measure(GAP if gap else TOUCHING, tile(number, vertices, gap=gap), cgal)
@@ -209,7 +208,7 @@ class Grown(NamedTuple):
 
 
 def grow(number: int) -> Grown:
-    """Judge a large tiling once, and find its two nearest parts."""
+    """Judge a large tiling once, and find its nearest parts."""
     layout = tile(number, GROWING, gap=True)
     for part in layout.parts:
         assert part.region is not None
@@ -227,7 +226,7 @@ def grow(number: int) -> Grown:
 
 
 def compile_judge(folder: Path) -> Path | None:
-    """Compile the program of CGAL, if that is there."""
+    """Compile the CGAL program if CGAL is installed."""
     try:
         return compile_program(folder, SOURCE)
     except MissingError:
@@ -235,7 +234,7 @@ def compile_judge(folder: Path) -> Path | None:
 
 
 def tabulate(cgal: Path | None, *, quick: bool) -> Iterator[Table | str]:
-    """The tables, and lines with the medians of the ratios."""
+    """Write the tables, and lines with the medians of the ratios."""
     with TemporaryDirectory() as folder:
         cgal = cgal or compile_judge(Path(folder))
         found = list(compare_all(cgal, quick=quick))

@@ -1,7 +1,4 @@
-"""Log-log plots: comparisons of programs, and hard shapes over their size.
-
-Colours are those of all pictures (`exactsweep.canvas.style`); markers and dashes differ too.
-"""
+"""Log-log plots: comparisons of programs, and hard shapes over their size."""
 
 from __future__ import annotations
 
@@ -18,7 +15,7 @@ from benchmarks.growth import Grown
 from benchmarks.peers.run import Comparison
 from exactsweep.paper.plots import SETTINGS, STYLES
 
-# Panels are smaller here than the plots of the ledger.
+# Panels are smaller than the plots of the ledger.
 SMALLER: dict[str, Any] = {
     **SETTINGS,
     "axes.titlesize": 8,
@@ -32,7 +29,7 @@ DPI = 300
 
 
 def programs(found: Comparison, path: Path) -> None:
-    """One panel a family: the time of every program on pairs with m = n."""
+    """Plot the time of every program on pairs with m = n, one panel per family."""
     measured = [(r, r.times) for r in found.results if r.m == r.n and r.times]
     families = list(dict.fromkeys(r.family for r, _ in measured))
     with context(SMALLER):
@@ -65,7 +62,7 @@ def programs(found: Comparison, path: Path) -> None:
 
 
 def shapes(measured: Sequence[Grown], path: Path) -> None:
-    """Two panels: seconds and memory of hard shapes over their size."""
+    """Plot seconds and memory of hard shapes over their size, in two panels."""
     with context(SMALLER):
         figure, panels = _panels(2, columns=2)
         figure.set_figheight(4)
@@ -88,7 +85,7 @@ def shapes(measured: Sequence[Grown], path: Path) -> None:
 
 
 def _axes(panel: Any, sizes: Sequence[int]) -> None:
-    """Set both axes to log scale, with x ticks at no more than six of the sizes."""
+    """Set both axes to log scale, with x ticks at up to six sizes."""
     panel.set_xscale("log")
     panel.set_yscale("log")
     shown = sizes[:: 1 + (len(sizes) - 1) // 6]

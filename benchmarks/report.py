@@ -1,4 +1,4 @@
-"""The report: Markdown with the tables, and plots, in one folder."""
+"""The report: Markdown with tables and plots in one folder."""
 
 from __future__ import annotations
 
@@ -16,26 +16,23 @@ from exactsweep.paper.plots import ratios
 
 MEASURED = "measured.pickle"
 Measured = tuple[str, Sequence[Growth], Comparison]
-"""The machine, the growth and the comparison."""
+"""Machine, growth and comparison."""
 
 
 def save(folder: Path, measured: Sequence[Growth], found: Comparison) -> None:
-    """Keep what was measured, so that the report can be written again."""
+    """Save the measurements, to write the report again."""
     folder.mkdir(parents=True, exist_ok=True)
     (folder / MEASURED).write_bytes(pickle.dumps((machine(), measured, found)))
 
 
 def load(folder: Path) -> Measured:
-    """Read what was kept."""
+    """Load saved measurements."""
     kept: Measured = pickle.loads((folder / MEASURED).read_bytes())
     return kept
 
 
 def write(folder: Path) -> Path:
-    """Write report.md and its plots, of what the folder keeps.
-
-    Returns the path of report.md.
-    """
+    """Write report.md and its plots from the saved measurements; return the path of report.md."""
     described, measured, found = load(folder)
     plots.programs(found, folder / "programs")
     lines = ["# Benchmarks", "", f"{described}.", ""]

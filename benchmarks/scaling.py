@@ -17,14 +17,14 @@ from exactsweep.paper.growth import Growth
 
 
 def measure_all(*, quick: bool = False) -> Iterator[Growth]:
-    """All series; when it has to be quick, over fewer sizes, without seconds."""
+    """Measure all series; if `quick`, fewer sizes, without seconds."""
     for cost in COSTS:
         yield from cost.measure(Effort(quick=quick))
     yield from measure_shapes(quick=quick)
 
 
 def series_table(series: Growth) -> Table:
-    """All sizes of one series."""
+    """Tabulate all sizes of one series."""
     title = f"{series.what} on {series.family}: O({series.bound}), {series.varied} doubled"
     table = Table(title=title, title_justify="left")
     for name in ("m", "n", series.unit, f"{series.unit} / ({series.bound})"):
@@ -35,7 +35,7 @@ def series_table(series: Growth) -> Table:
 
 
 def summary_table(measured: Iterable[Growth]) -> Table:
-    """Fitted exponents, compared with the paper's."""
+    """Tabulate fitted exponents and those of the paper."""
     found = tabulate(measured)
     table = Table(title=found.caption, title_justify="left")
     for k, name in enumerate(found.header):

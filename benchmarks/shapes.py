@@ -1,8 +1,6 @@
-"""The growth of no-fit polygons of any shape: counts of their steps, and seconds.
+"""The growth of no-fit polygons of any shape: counts of steps, and seconds.
 
-The steps are those of `exactsweep.procedures.positions`. There are at most 2 m n contact segments;
-parts in squares that are known to be overlapped are skipped, and few other pieces need an overlap
-test.
+The steps are those of `exactsweep.procedures.positions`, with at most 2 m n contact segments.
 """
 
 from __future__ import annotations
@@ -30,7 +28,7 @@ STEPS = (
     "overlap tests",
 )
 _RISE = 0.3
-"""By how much an exponent may be above that of the bound: one pair stands for each size."""
+"""The permitted excess of an exponent, as each size has only one pair."""
 
 
 def count_steps(family: str, size: int) -> tuple[int, ...]:
@@ -52,7 +50,7 @@ def count_steps(family: str, size: int) -> tuple[int, ...]:
 
 
 def measure_shapes(*, quick: bool = False) -> Iterator[Growth]:
-    """The series: counts over m n, and seconds over m n log n."""
+    """Tabulate counts divided by m n, and seconds divided by m n log n."""
     for family, sizes in SIZES.items():
         sizes = sizes[:3] if quick else sizes
         counts = {size: count_steps(family, size) for size in sizes}

@@ -1,7 +1,6 @@
-"""The work of a small pair: counts of the interpreter's instructions, the same on every run.
+"""The work of a small pair: counts of interpreter instructions by kind, the same on every run.
 
-Seconds of a pair that takes less than a millisecond say little about where they go, and profilers
-add more to a call than most functions take. So the instructions are counted, by what they do.
+A pair takes less than a millisecond, and profilers add more to a call than most functions take.
 """
 
 from __future__ import annotations
@@ -23,19 +22,18 @@ from exactsweep.procedures.monotone import LowerMM, MonotoneSolution
 
 PAIRS = (("mm", 16), ("stair", 16), ("cm", 64))
 TOO_NEW = (3, 12)
-"""The version of CPython from which on some instructions are not reported, and not the same ones
-on every run."""
+"""The first CPython version that does not report all instructions."""
 COUNTED = ("instructions", "calls", "objects", "Fractions", "products", "comparisons")
 
 
 def take_halves(s: Sweep) -> tuple[LowerMM, LowerMM]:
-    """The lower and the upper sweep of a monotone pair."""
+    """Compute the lower and the upper sweep of a monotone pair."""
     assert isinstance(s.solution, MonotoneSolution)
     return s.solution.halves
 
 
 class Step(NamedTuple):
-    """One step of a sweep, and what it is called; it may use what the steps before it made."""
+    """A named step of a sweep, which may use earlier results."""
 
     name: str
     run: Callable[[Sweep], object]
@@ -78,7 +76,7 @@ def count(run: Callable[[], object]) -> Counter[str]:
             found["Fractions"] += argument == object.__new__
 
     before = sys.gettrace(), sys.getprofile()
-    # Others may have asked to be called by the collector, which runs when it likes.
+    # The garbage collector may call other code at any time.
     collects = gc.isenabled()
     gc.disable()
     sys.setprofile(profile)
@@ -95,7 +93,7 @@ def count(run: Callable[[], object]) -> Counter[str]:
 
 @cache
 def _kinds(code: CodeType) -> dict[int, str]:
-    """Classify the instructions of a function by their work."""
+    """Classify the instructions of a function by kind."""
     kinds = {}
     for instruction in get_instructions(code):
         if instruction.opname == "COMPARE_OP":
@@ -108,7 +106,7 @@ def _kinds(code: CodeType) -> dict[int, str]:
 
 
 def tabulate() -> Iterator[Table]:
-    """One table a pair: what each step of its sweep is spent on."""
+    """Tabulate the instructions of each step of a sweep, one table per pair."""
     for family, size in PAIRS:
         generatrix, directrix = map(Polygon, FAMILIES[family](size, size, 0))
         table = Table("step", *COUNTED, title=f"{family} ({size}, {size})")

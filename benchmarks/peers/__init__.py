@@ -1,1 +1,1 @@
-"""The same sweeps by other programs, side by side, and what of their answers is exact."""
+"""Other programs on the same sweeps: times, and exactness of their answers."""

@@ -1,4 +1,4 @@
-"""Other programs, through the adapters that judge them: the exterior of the no-fit polygon."""
+"""The exterior of the no-fit polygon by other programs, through their adapters."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ def version(name: str) -> str:
 
 
 def prepare(name: str, generatrix: Ring, directrix: Ring) -> Callable[[], list[Loop]]:
-    """Return what asks a program, polygons prepared as it wants them."""
+    """Return a function that calls a program with prepared polygons."""
     adapter = load(name)
     number = float if adapter.hello.numbers == "binary64" else int
     d, g = (

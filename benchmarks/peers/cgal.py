@@ -1,8 +1,8 @@
-"""CGAL: its exact Minkowski sums by every strategy it has, timed in the program of the adapter.
+"""CGAL's exact Minkowski sums by all its strategies, timed in the adapter's program.
 
-The program (`cgal_sums.cpp` in `benchmarks/peers/adapters`) times what is between reading exact
-numbers and having exact coordinates of the result. The three loops are three runs: D + I(G); the
-result plus G; and the result eroded by I(G), each by the strategy that is fastest for it.
+`cgal_sums.cpp` in `benchmarks/peers/adapters` measures the time from exact input to exact
+coordinates of the result. The three loops are three runs, each by its fastest strategy: D + I(G);
+the result plus G; and the result eroded by I(G).
 """
 
 from __future__ import annotations
@@ -32,13 +32,13 @@ EROSIONS = (
     *((strategy, "halves") for strategy in CGAL_STRATEGIES),
 )
 
-# A strategy this many times slower than the fastest on a smaller pair of the same family is not
-# tried on a larger one; on one pair none is given longer than this many times the fastest.
+# A strategy slower than the fastest by this factor is stopped, and skipped on larger pairs of the
+# same family.
 HOPELESS = 4.0
 
 
 class Best(NamedTuple):
-    """The fastest strategy for a sum or an erosion, and what it gave; most memory in bytes."""
+    """The fastest strategy for a sum or an erosion, its result, and the peak memory in bytes."""
 
     strategy: str
     times: Times
@@ -47,10 +47,7 @@ class Best(NamedTuple):
 
 
 def compile_program(folder: Path, source: Path = SOURCE) -> Path:
-    """Compile a program into a folder.
-
-    Raises MissingError if there is no compiler or no CGAL for it.
-    """
+    """Compile a program into a folder; raise MissingError without a compiler or CGAL."""
     compiler = which("g++") or which("clang++")
     if compiler is None:
         raise MissingError("no C++ compiler")
@@ -64,16 +61,16 @@ def compile_program(folder: Path, source: Path = SOURCE) -> Path:
 
 
 class Cgal:
-    """Runs the program, and remembers which strategies are worth a try.
+    """A runner of the program that skips slow strategies.
 
     Args:
         program: the compiled program.
-        limit: seconds that one run may take.
-        seconds: for how long runs are repeated.
+        limit: the time limit of a run in seconds.
+        seconds: the total time of repeated runs.
 
     Attributes:
-        failed: how many strategies crashed or gave no polygon when `best` was last called.
-        differing: how many gave another answer than most of them.
+        failed: the number of strategies that crashed or returned no polygon in the last `best`.
+        differing: the number of strategies with a different answer.
     """
 
     def __init__(self, program: Path, limit: float, seconds: float = SECONDS) -> None:
@@ -85,14 +82,14 @@ class Cgal:
         self.version = run([program, "version"], "", limit).strip()
 
     def best(self, family: str, stage: str, p: Loop, q: Loop, mode: str = "") -> Best | None:
-        """The fastest strategy to P + Q, or to P eroded by -Q.
+        """Find the fastest strategy for P + Q, or for P eroded by -Q.
 
         Args:
             family: the family of the pair.
-            stage: "trajectory", "outer" or "inner"; what is learnt holds for family and stage.
+            stage: "trajectory", "outer" or "inner".
             p: vertices of P, counter-clockwise.
             q: vertices of Q, counter-clockwise.
-            mode: "kept" for all runs on the same polygons, "text" for reading them in each.
+            mode: "kept" for all runs on the same polygons, "text" for reading them in each run.
 
         Returns:
             None if no strategy ends within the limit.
@@ -115,7 +112,7 @@ class Cgal:
             allowed = min(allowed, max(1.0, HOPELESS * ran.times.median / 1000))
         if not found:
             return None
-        # Some strategies go wrong on collinear vertices: what most of them say is CGAL's answer.
+        # Some strategies fail on collinear vertices: CGAL's answer is that of the majority.
         answer = Counter(polygons).most_common(1)[0][0]
         found = [pair for pair, polygon in zip(found, polygons, strict=True) if polygon == answer]
         self.differing = len(polygons) - len(found)
@@ -129,7 +126,7 @@ class Cgal:
     def _run(
         self, strategy: tuple[str, str], p: Loop, q: Loop, allowed: float, mode: str
     ) -> Best | None:
-        """Run one strategy; None if it is too slow. On collinear vertices some of them crash."""
+        """Run one strategy; None if it is too slow."""
         command: list[str | Path] = [self._program, *strategy, str(self._seconds)]
         given = " ".join(write_shape([[*ring]]) for ring in (p, q))
         try:

@@ -1,7 +1,7 @@
-"""The kernel, from polygons, or from lists of pairs with all checks, to lists of Fractions.
+"""The kernel, from polygons or from unchecked vertices to lists of Fractions.
 
-No other program here checks that its input is a simple polygon, so that the first is what
-compares; it is also what a list of parts costs, each of which is read once.
+The other programs do not check that polygons are simple, so compare them with the kernel on
+polygons.
 """
 
 from __future__ import annotations
@@ -42,7 +42,7 @@ def checked_loops(generatrix: Outline, directrix: Outline) -> Callable[[], list[
 
 
 def first(generatrix: Ring, directrix: Ring) -> Callable[[], list[Loop]]:
-    """The trajectory of Polygons that were never swept before."""
+    """Compute the trajectory of new Polygons."""
     pairs = [
         (exactsweep.Polygon(generatrix), exactsweep.Polygon(directrix)) for _ in range(REPEATS)
     ]
@@ -55,7 +55,7 @@ def first(generatrix: Ring, directrix: Ring) -> Callable[[], list[Loop]]:
 
 
 def text(generatrix: Ring, directrix: Ring) -> Callable[[], list[Loop]]:
-    """From numbers written as text to the trajectory."""
+    """Compute the trajectory from coordinates as text."""
     given = [[(str(x), str(y)) for x, y in ring] for ring in (generatrix, directrix)]
 
     def run() -> list[Loop]:
@@ -66,7 +66,7 @@ def text(generatrix: Ring, directrix: Ring) -> Callable[[], list[Loop]]:
 
 
 def no_fit(generatrix: Ring, directrix: Ring) -> Callable[[], list[Loop]]:
-    """The no-fit polygon of two Polygons, with holes and exact fits; its exterior is compared."""
+    """Compute the no-fit polygon of two Polygons, and return its exterior."""
     orbiting, stationary = exactsweep.Polygon(generatrix), exactsweep.Polygon(directrix)
 
     def run() -> list[Loop]:

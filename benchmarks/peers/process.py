@@ -1,7 +1,6 @@
-"""Running a program for a limited time.
+"""Run a program with a limit on wall time.
 
-The limit is wall time, and no limit of the system's on processor time: where that is set, Linux
-reads a process' own clock in ticks of some milliseconds, and times would be worth nothing.
+A system limit on processor time would make Linux count a process' time in coarse ticks.
 """
 
 from __future__ import annotations
@@ -14,25 +13,24 @@ ROOT = Path(__file__).parents[2]
 
 
 class StoppedError(Exception):
-    """A program gave no answer; the message says why."""
+    """A program without an answer; the message gives the reason."""
 
 
 class TooSlowError(StoppedError):
-    """A program exceeded its time limit."""
+    """A program that exceeds its time limit."""
 
 
 def run(command: Sequence[str | Path], given: str, seconds: float, *, overhead: float = 0.0) -> str:
-    """Run a program and return what it writes.
+    """Run a program and return its output.
 
     Args:
         command: the program and its arguments.
         given: its standard input.
-        seconds: of processor time that it may take; on a busy machine, twice that by the clock
-            on the wall.
-        overhead: seconds that it may take besides, to start and to repeat.
+        seconds: the limit of processor time; the wall time may be twice as long.
+        overhead: additional seconds for starting and repeating.
 
     Raises:
-        StoppedError: it took longer, crashed or failed.
+        StoppedError: the program takes longer, crashes or fails.
     """
     try:
         done = subprocess.run(

@@ -1,7 +1,7 @@
-"""The trajectory by the kernel and by other programs, in turn, in processes of their own.
+"""The trajectory by the kernel and by other programs, each in its own process.
 
-CGAL is measured by `benchmarks.fair`. The kernel is measured before and after the others on each
-pair, so that a machine that is busier at one time than at another shows in its spread.
+On each pair, the kernel runs before and after the others, so its spread shows changes of the
+machine's load. `benchmarks.fair` measures CGAL.
 """
 
 from __future__ import annotations
@@ -33,7 +33,7 @@ PAIRS = (
     *(("cc", 10_000, 10_000), ("cm_hard", 1024, 256), ("mm", 1024, 256)),
     *(("tangled", 26, 18), *(("radial", m, n) for m, n in SIZES)),
 )
-"""The family of each pair, and the vertices of its directrix and of its generatrix."""
+"""The family of each pair, and the vertices of its directrix and generatrix."""
 TIMES = (
     "Processor times in ms: median (least to greatest). The kernel is given polygons; the times "
     "with checks are from lists of numbers, with every check that they are simple polygons, which "
@@ -41,15 +41,15 @@ TIMES = (
 )
 SECONDS = 0.5
 STARTING = 3.0
-"""Seconds that a process of Python may take to start, beyond the limit."""
+"""Additional seconds for starting Python."""
 UNLIMITED = 3600.0
 
 
 class Result(NamedTuple):
     """One program on one pair.
 
-    `wrong` counts the vertices of the exact loop that the program's answer lacks; `note` stands in
-    for the times if there is no answer.
+    `wrong` is the number of missing vertices of the exact loop; `note` replaces the times if there
+    is no answer.
     """
 
     program: str
@@ -68,7 +68,7 @@ class Result(NamedTuple):
 
 
 class Comparison(NamedTuple):
-    """All that one run measured: programs with their versions, and those that are not installed."""
+    """The results of a run, with the versions of the programs, and missing programs."""
 
     versions: dict[str, str]
     skipped: dict[str, str]
@@ -80,9 +80,9 @@ def compare(*, limit: float, quick: bool = False, say: Callable[[str], None] = p
     """Measure everything.
 
     Args:
-        limit: seconds that one program may take on one pair.
-        quick: pairs up to 64 vertices only.
-        say: a function that is called with the current activity.
+        limit: the time limit of a program on a pair in seconds.
+        quick: whether to measure only pairs of up to 64 vertices.
+        say: a callback for the current activity.
     """
     versions, skipped = {OURS: ours.version(), CHECKED: "the same from lists"}, {}
     for name in NAMES:
@@ -126,7 +126,7 @@ def measure(family: str, m: int, n: int, peers: Iterable[str], limit: float) -> 
 
 
 class Ran(NamedTuple):
-    """One operation in a separate process: milliseconds of each run, loops, bytes at most."""
+    """The result of an operation in a separate process: ms of each run, loops, peak bytes."""
 
     times: list[float]
     loops: list[Loop]
@@ -136,10 +136,7 @@ class Ran(NamedTuple):
 def run_on(
     pair: tuple[Ring, Ring], module: str, operation: str, limit: float, seconds: float = SECONDS
 ) -> Ran:
-    """Run one operation on a pair in a separate process.
-
-    Raises StoppedError when it takes too long or fails.
-    """
+    """Run one operation on a pair in a separate process; raise StoppedError if it fails."""
     generatrix, directrix = pair
     written = run(
         [sys.executable, "-m", "benchmarks.peers.worker", module, operation, str(seconds)],
@@ -155,7 +152,7 @@ def run_on(
 
 
 def same(right: Loop, answer: Loop) -> bool:
-    """Decide whether a loop is the same set of points as a canonical one."""
+    """Decide whether a loop equals a canonical one."""
     try:
         return list(Polygon(answer).vertices) == list(right)
     except ValueError:
@@ -163,7 +160,7 @@ def same(right: Loop, answer: Loop) -> bool:
 
 
 def pairs_a_second(task: Callable[[Ring, Ring], Callable[[], object]], passes: int = 3) -> float:
-    """Pairs of outlines of parts a second on one core, the median of some passes over all."""
+    """Measure pairs of outlines per second on one core, the median of several passes."""
     tasks = [task(*pair) for _, pair in list_outlines(["parts"])]
 
     def sweep_all() -> None:
@@ -175,7 +172,7 @@ def pairs_a_second(task: Callable[[Ring, Ring], Callable[[], object]], passes: i
 
 
 def tabulate(found: Comparison) -> Iterator[Table]:
-    """The table of all pairs and programs, and that of small pairs."""
+    """Tabulate all pairs and programs, and the small pairs."""
     table = Table(
         "pair", title="the trajectory; in brackets, vertices that are not exact", caption=TIMES
     )

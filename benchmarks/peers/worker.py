@@ -1,9 +1,9 @@
-"""Runs one operation of one program in a separate process, so that it can be stopped.
+"""Run one operation of one program in a separate process, which can be stopped.
 
     python -m benchmarks.peers.worker MODULE OPERATION SECONDS < pair.json > result.json
 
-MODULE has a function OPERATION that takes generatrix and directrix and returns what is timed; of
-the module "adapted" OPERATION is the name of a program.
+MODULE has a function OPERATION that takes generatrix and directrix and returns the timed function;
+with the module "adapted", OPERATION is the name of a program.
 """
 
 from __future__ import annotations
@@ -37,7 +37,7 @@ def main() -> None:
     memory = peak()
     loops = [[(str(Fraction(x)), str(Fraction(y))) for x, y in loop] for loop in result]
     if is_adapted:
-        # All rings were answered; the exterior is the one that reaches farthest to the left.
+        # The exterior is the leftmost ring.
         loops = [min(loops, key=lambda loop: min(Fraction(x) for x, _ in loop))]
     json.dump({"milliseconds": times, "loops": loops, "memory": memory}, sys.stdout)
 

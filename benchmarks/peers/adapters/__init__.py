@@ -1,11 +1,10 @@
-"""Adapters of other programs, to be judged if they are installed.
+"""Adapters for judging other programs, if they are installed.
 
-Minkowski sum programs compute D + (-G); orbiting programs compute the path of G. Both polygons keep
-their collinear vertices, but are oriented counter-clockwise, holes clockwise, and lose repeated
-vertices, as several programs require. The adapters return every ring of an answer, with nothing
-removed, joined or rounded, unless the adapter's docstring says so.
+Programs for Minkowski sums compute D + (-G); orbiting programs compute the path of G. Exteriors are
+counter-clockwise, holes clockwise, without repeated vertices, as several programs require. The
+adapters return all rings of an answer unchanged, unless their docstring states otherwise.
 
-As a function: `load`. As a process that speaks the protocol of `exactsweep conform`:
+`load` returns an adapter as a function. As a process:
 
     exactsweep conform -- python -m benchmarks.peers.adapters shapely
 """

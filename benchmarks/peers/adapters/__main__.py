@@ -1,4 +1,4 @@
-"""`python -m benchmarks.peers.adapters NAME`: run a program behind the runner's protocol."""
+"""`python -m benchmarks.peers.adapters NAME`: run a program with the runner's protocol."""
 
 from __future__ import annotations
 
@@ -21,10 +21,10 @@ from exactsweep.numbers.number import to_fraction
 @click.argument("name", required=False, type=click.Choice(NAMES))
 @click.option("--ask", "question", type=click.Choice(QUESTIONS), help="One question, not all.")
 def main(name: str | None, question: str | None) -> None:
-    """Answer cases on standard input, one a line, by the program NAME.
+    """Answer the cases on standard input by the program NAME.
 
-    The protocol is that of 'exactsweep conform'. Without a name, the programs are listed, and
-    which of them are installed.
+    The protocol is that of 'exactsweep conform'. Without a name, list the programs and whether they
+    are installed.
     """
     if name is None:
         for each in NAMES:
@@ -36,7 +36,7 @@ def main(name: str | None, question: str | None) -> None:
             adapter = adapter.limited(question)
     except MissingError as error:
         raise click.ClickException(str(error)) from None
-    # Libraries complain on standard output, which is for answers: it goes to standard error.
+    # Libraries write messages to standard output: redirect it to standard error.
     answers = os.fdopen(os.dup(1), "w", encoding="utf-8")
     os.dup2(2, 1)
     print(json.dumps(adapter.hello.to_json()), file=answers, flush=True)
@@ -71,7 +71,7 @@ def _answer(adapter: Adapter, case: dict[str, Any]) -> dict[str, Any]:
         return adapter.answer(*shapes, parts=case.get("ask", ()))
     except NotImplementedError as error:
         return {"unsupported": str(error)}
-    except Exception as error:  # the program may fail in any way, and that is its answer
+    except Exception as error:
         return {"error": f"{type(error).__name__}: {error}"}
 
 

@@ -1,4 +1,4 @@
-"""The adapter of a program, and the functions that all adapters share."""
+"""The adapter of a program, and functions for all adapters."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ AnsweredRings = Sequence[Sequence[Sequence[Number]]]
 
 
 class MissingError(ExactSweepError):
-    """A program that is not installed here; the message says how to get it."""
+    """A program that is not installed; the message states how to install it."""
 
 
 def _do_nothing() -> None:
@@ -29,14 +29,13 @@ def _do_nothing() -> None:
 
 
 class Adapter(NamedTuple):
-    """A program that can be judged.
+    """A program to judge.
 
     Attributes:
-        hello: its name and version, and what it can do.
-        ask: of a part, such as "trajectory", "no_fit" or "inner_fit", of D and of G, each a list of
-            rings, the exterior counter-clockwise and the holes clockwise: what the answer holds of
-            that part. Numbers are of the type that the hello asks for.
-        close: ends what runs for the adapter, if anything does.
+        hello: its hello.
+        ask: computes the answer to a part, such as "no_fit", from D and G, lists of rings with the
+            exterior counter-clockwise and holes clockwise.
+        close: ends its processes.
     """
 
     hello: Hello
@@ -50,19 +49,16 @@ class Adapter(NamedTuple):
         reference: object = None,
         parts: Iterable[str] = (),
     ) -> dict[str, Any]:
-        """Answer a case, as `CallablePeer` asks.
+        """Answer a case for `CallablePeer`.
 
         Args:
-            directrix: D, a list of pairs, or of rings where the hello takes any shapes.
-            generatrix: G, likewise; or -G if the only question is a Minkowski sum.
-            reference: not looked at: the hello says which it is.
-            parts: the parts to answer; by default all that the hello promises.
-
-        Returns:
-            The answer, without the id.
+            directrix: D, a list of pairs, or of rings if the program accepts any shapes.
+            generatrix: G, or -G if the only question is a Minkowski sum.
+            reference: ignored.
+            parts: the parts to answer; by default all parts in the hello.
 
         Raises:
-            NotImplementedError: the program does not take such numbers, or such a shape.
+            NotImplementedError: the program does not support the numbers or the shape.
         """
         if self.hello.shapes != "any":
             directrix, generatrix = [directrix], [generatrix]
@@ -76,11 +72,7 @@ class Adapter(NamedTuple):
         return found
 
     def limited(self, question: str) -> Adapter:
-        """Return the adapter for one of its questions.
-
-        Raises:
-            MissingError: it is none of them.
-        """
+        """Return the adapter for one of its questions; raise MissingError for another one."""
         if question not in self.hello.questions:
             listed = ", ".join(self.hello.questions)
             raise MissingError(f"{self.hello.name} is not asked for {question}, but for {listed}")
@@ -97,17 +89,17 @@ def sum_adapter(
     shapes: Shapes = "simple",
     close: Callable[[], object] = _do_nothing,
 ) -> Adapter:
-    """Return the adapter of a program that computes Minkowski sums.
+    """Make the adapter of a program that computes Minkowski sums.
 
-    A program that accepts holes is asked for inner fits, too, as its users do: the holes of the sum
-    of a frame around the container and -G.
+    If the program accepts holes, inner fits are holes of the sum of -G and a frame around the
+    container.
 
     Args:
-        name: of the program, with its version.
+        name: the name and version of the program.
         numbers: the numbers that it reads.
-        add: of D and of -G, each a list of rings: the rings of their sum.
+        add: computes the rings of D + (-G) from D and -G, lists of rings.
         shapes: the shapes that it accepts.
-        close: ends what runs for it.
+        close: ends its processes.
     """
 
     def ask(part: str, directrix: AskedShape, generatrix: AskedShape) -> dict[str, Any]:
@@ -123,12 +115,12 @@ def sum_adapter(
 
 
 def reflect(shape: AskedShape) -> AskedShape:
-    """Return a shape reflected in the origin."""
+    """Reflect a shape in the origin."""
     return [[(-x, -y) for x, y in ring] for ring in shape]
 
 
 def build_frame(container: AskedRing, inverse: AskedRing) -> AskedShape:
-    """Return a frame whose hole is the container, wide enough for what moves inside."""
+    """Return a frame around the container, wider than the moving part."""
     xs, ys = zip(*container, strict=True)
     us, vs = zip(*inverse, strict=True)
     x, y = 1 + max(us) - min(us), 1 + max(vs) - min(vs)
@@ -137,7 +129,7 @@ def build_frame(container: AskedRing, inverse: AskedRing) -> AskedShape:
 
 
 def drop_outermost(rings: AnsweredRings) -> list[Sequence[Sequence[Number]]]:
-    """Return the rings except for the one that reaches farthest to the left."""
+    """Return the rings except for the leftmost one."""
 
     def leftmost(k: int) -> Fraction:
         return min(to_fraction(x) for x, _ in rings[k])
@@ -147,51 +139,46 @@ def drop_outermost(rings: AnsweredRings) -> list[Sequence[Sequence[Number]]]:
 
 
 def prepare_shape(shape: Sequence[AskedRing]) -> AskedShape:
-    """Return the exterior counter-clockwise and the holes clockwise; see `prepare_ring`."""
+    """Orient the exterior counter-clockwise and the holes clockwise by `prepare_ring`."""
     exterior, *holes = map(prepare_ring, shape)
     return [exterior, *(hole[::-1] for hole in holes)]
 
 
 def prepare_ring(ring: AskedRing) -> AskedRing:
-    """Return a ring counter-clockwise and without repeated vertices.
+    """Orient a ring counter-clockwise, and remove repeated vertices.
 
     Example:
         >>> prepare_ring([(0, 0), (0, 2), (0, 2), (1, 1), (2, 0), (0, 0)])
         [(0, 0), (2, 0), (1, 1), (0, 2)]
     """
     distinct = [p for k, p in enumerate(ring) if p != ring[k - 1]]
-    # Floats are made exact: their products would be rounded.
+    # Products of floats would be rounded.
     points = [Point(to_fraction(x), to_fraction(y)) for x, y in distinct]
     return distinct if find_doubled_area(points) > 0 else distinct[::-1]
 
 
 def list_fillings(directrix: AskedRing, inverse: AskedRing) -> list[AskedRing]:
-    """Return what fills the sum of two boundaries up to that of the polygons.
+    """List shapes whose union with the sum of two boundaries is the sum of the polygons.
 
-    A point of the sum of two polygons that is not in the sum of their boundaries has all of the
-    one, moved to it, inside the other, or the other way round: so it is in D moved by a vertex of
-    -G, or in -G moved by a vertex of D.
+    For any other point p of D + (-G), D contains p + G or p + G contains D. So p is in D translated
+    by a vertex of -G, or in -G translated by a vertex of D.
     """
     return [_move(directrix, inverse[0]), _move(inverse, directrix[0])]
 
 
 def refer(ring: Sequence[Sequence[Number]], corner: tuple[Number, Number]) -> list[Position]:
-    """Return positions of G's origin, exactly, for those of one of its corners."""
+    """Convert positions of a vertex of G to exact positions of its origin."""
     x, y = map(to_fraction, corner)
     return [(to_fraction(px) - x, to_fraction(py) - y) for px, py in ring]
 
 
 def _move(ring: AskedRing, by: tuple[Number, Number]) -> AskedRing:
-    """Return a ring moved by a vector."""
+    """Translate a ring."""
     return [(x + by[0], y + by[1]) for x, y in ring]
 
 
 def require_range(first: AskedShape, second: AskedShape, most: int) -> None:
-    """Refuse rings of ints whose sum may have coordinates beyond a limit.
-
-    Raises:
-        NotImplementedError: it may; an unsupported case.
-    """
+    """Raise NotImplementedError if the sum of rings may exceed a limit."""
     reach = sum(max(abs(c) for ring in shape for p in ring for c in p) for shape in (first, second))
     if reach > most:
         raise NotImplementedError(f"coordinates beyond {most}")

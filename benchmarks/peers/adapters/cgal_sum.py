@@ -1,15 +1,13 @@
-"""Minkowski sums by CGAL, by each of its strategies, in a program to be compiled.
+"""Minkowski sums by each of CGAL's strategies.
 
 Promise: exact sums of simple polygons, by the kernel with exact constructions.
 
-Question: `minkowski_sum_2(D, -G)`, or `minkowski_sum_by_full_convolution_2`, on exact
-rationals, nothing being rounded on the way. The program is `cgal_sums.cpp` in this folder; it
-has to be compiled and to be found as `exactsweep-cgal`:
+Question: `minkowski_sum_2(D, -G)`, or `minkowski_sum_by_full_convolution_2`, on exact rationals.
+Compile `cgal_sums.cpp` in this folder as `exactsweep-cgal`:
 
     g++ -std=c++17 -O2 -DNDEBUG -o exactsweep-cgal cgal_sums.cpp -lgmp -lmpfr
 
-A strategy that runs forever is ended with the process that asks it, and one that crashes is started
-again for the next case.
+A strategy that crashes is started again for the next case.
 """
 
 from __future__ import annotations
@@ -23,16 +21,12 @@ from benchmarks.peers.adapters.program import Program, write_shape
 
 PROGRAM = "exactsweep-cgal"
 TAKE_HOLES = ("reduced", "vertical", "triangulation")
-"""The strategies that CGAL has for polygons with holes; the others are asked for simple ones."""
+"""The strategies for polygons with holes; the others are for simple polygons."""
 SOURCE = Path(__file__).with_name("cgal_sums.cpp")
 
 
 def adapter(name: str) -> Adapter:
-    """Return the adapter of one strategy.
-
-    Raises:
-        MissingError: the program is not to be found.
-    """
+    """Make the adapter of one strategy; raise MissingError without the program."""
     program = which(PROGRAM)
     if program is None:
         raise MissingError(

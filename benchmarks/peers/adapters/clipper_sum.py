@@ -1,13 +1,11 @@
-"""Clipper and Clipper2: their Minkowski sums, through the packages pyclipper and clipper2-py.
+"""Minkowski sums of Clipper and Clipper2, by the packages pyclipper and clipper2-py.
 
-Promise: integers of up to 62 and 61 bits in magnitude; vertices of the result are
-integers, so crossings are rounded. `MinkowskiSum` moves a pattern along a path, so it is the sum of
-two boundaries.
+Promise: integers of up to 62 and 61 bits; crossings are rounded to integers. `MinkowskiSum` moves a
+pattern along a path, so it is the sum of two boundaries.
 
-Question: the sum of -G, as the pattern, and D, as a closed path, times the scale that
-makes the case integer. Neither takes holes. The sum of two boundaries may have holes where that of
-the polygons has none, or smaller ones: where there is one, and where a ring touches itself, which
-may hide one, all rings are united with `list_fillings`, by the rule nonzero.
+Question: the sum of -G, the pattern, and D, the closed path, scaled to integers, without holes. The
+sum of two boundaries may have false or larger holes. If it has a hole, or a ring touches itself,
+all rings are united with `list_fillings` by the nonzero rule.
 """
 
 from __future__ import annotations
@@ -28,11 +26,7 @@ from benchmarks.peers.adapters.adapter import (
 
 
 def adapter(name: str) -> Adapter:
-    """Return the adapter of either.
-
-    Raises:
-        ImportError: it is not installed.
-    """
+    """Make the adapter of either; raise ImportError without the package."""
     return _clipper() if name == "pyclipper" else _clipper2()
 
 

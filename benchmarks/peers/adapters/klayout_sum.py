@@ -1,10 +1,9 @@
-"""KLayout: the Minkowski sum of polygons of its database module.
+"""Minkowski sums of KLayout's database module.
 
-Promise: coordinates are integers of 32 bits; vertices of the result are rounded to them.
+Promise: integers of 32 bits; vertices of the result are rounded to integers.
 
-Question: `Polygon.minkowski_sum` of D and -G, without resolving holes, times the scale that
-makes the case integer. Cases whose result, or its width or height, needs more than 32 bits are not
-asked. KLayout itself leaves out collinear vertices.
+Question: `Polygon.minkowski_sum` of D and -G, scaled to integers, without resolving holes. Cases
+whose result exceeds 32 bits are skipped. KLayout removes collinear vertices.
 """
 
 from __future__ import annotations
@@ -24,11 +23,7 @@ MOST = 2**30 - 1
 
 
 def adapter(name: str) -> Adapter:
-    """Return the adapter.
-
-    Raises:
-        ImportError: it is not installed.
-    """
+    """Make the adapter; raise ImportError without the package."""
     import klayout.db as db
 
     def polygon(shape: AskedShape) -> Any:

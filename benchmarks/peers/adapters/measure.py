@@ -1,8 +1,7 @@
-"""`python -m benchmarks.peers.adapters.measure FOLDER`: judge every installed program.
+"""`python -m benchmarks.peers.adapters.measure FOLDER`: judge all installed programs.
 
-Each program answers every question it supports, on the corpus and on generated cases. The journals
-stay in the folder, and a second run asks only for the answers that they lack. Then one page says
-which program is exact on which kinds of cases, and how the others fail.
+Each program answers the questions that it supports, on the corpus and on generated cases. A second
+run resumes the journals in the folder. A page then lists the exact answers and the failures.
 """
 
 from __future__ import annotations
@@ -36,13 +35,13 @@ def choose_cases(each: int, most: int | None) -> Iterator[Case]:
 
 
 def judge(name: str, question: str, chosen: Iterator[Case], seconds: float, folder: Path) -> None:
-    """Judge a program by one question, and keep its outcomes."""
+    """Judge a program on one question, with a journal."""
     command = [sys.executable, "-m", "benchmarks.peers.adapters", name, "--ask", question]
     with ExitStack() as stack:
         terms = Terms(command, seconds)
         judges = stack.enter_context(closing(Judges(terms)))
         path = folder / f"{name}.{question}"
-        # Only the name of the interpreter may differ from machine to machine.
+        # The interpreter's path depends on the machine.
         journal = stack.enter_context(
             Journal(path, terms._replace(command=command[1:]), judges.hello, resume=True)
         )
@@ -71,7 +70,7 @@ def main(
     page: Path | None,
     no_judging: bool,
 ) -> None:
-    """Judge other programs and write which of them is exact on what."""
+    """Judge other programs, and write a page about their exactness."""
     folder.mkdir(exist_ok=True)
     for name in () if no_judging else only or NAMES:
         try:

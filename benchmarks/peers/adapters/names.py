@@ -39,13 +39,7 @@ NAMES = tuple(_MODULES)
 
 
 def load(name: str) -> Adapter:
-    """Return an adapter, with its program loaded.
-
-    Args:
-        name: one of NAMES.
-
-    Returns:
-        The Adapter; its `answer` and `hello` are what `CallablePeer` takes.
+    """Load a program and return its Adapter.
 
     Raises:
         MissingError: there is no such adapter, or its program is not installed.

@@ -1,14 +1,13 @@
-"""SVGnest and Deepnest: the path of their no-fit polygons through Clipper, run by node.
+"""No-fit polygons of SVGnest and Deepnest by Clipper, in node.
 
-Promise: doubles, as integers in units of 10^-7; of the sum of the boundaries the largest
-ring, so no holes.
+Promise: doubles, as integers in units of 10^-7; the largest ring of the sum of the boundaries.
 
-Questions: `minkowskiDifference(D, G)` of SVGnest, and `getOuterNfp(D, G)` of Deepnest,
-both without holes; Deepnest has another program for these, an addon to be compiled, which is not
-asked. The answer is the path of G's first vertex, from which that of the origin follows.
+Questions: `minkowskiDifference(D, G)` of SVGnest, and `getOuterNfp(D, G)` of Deepnest, without
+holes; Deepnest's compiled addon for holes is not tested. The answer is the path of G's first
+vertex, converted to that of the origin.
 
-Their source is the user's, in the folders that the environment variables EXACTSWEEP_SVGNEST and
-EXACTSWEEP_DEEPNEST name; `nest.js` in this folder loads it as it is.
+The environment variables EXACTSWEEP_SVGNEST and EXACTSWEEP_DEEPNEST name the folders with the
+source, which `nest.js` loads.
 """
 
 from __future__ import annotations
@@ -26,11 +25,7 @@ SOURCES = {"svgnest": "svgnest.js", "deepnest": "main/background.js"}
 
 
 def adapter(name: str) -> Adapter:
-    """Return the adapter of either.
-
-    Raises:
-        MissingError: there is no node, or its source is not to be found.
-    """
+    """Make the adapter of either; raise MissingError without node or the source."""
     project = name.partition("-")[0]
     version, program = start(project, "clipper")
 
@@ -45,10 +40,10 @@ def adapter(name: str) -> Adapter:
 
 
 def start(project: str, way: str) -> tuple[str, Program]:
-    """Return a short digest of a project's source, for a version, and the program that runs it.
+    """Return a short digest of a project's source as its version, and the program that runs it.
 
     Raises:
-        MissingError: there is no node, or the source is not to be found.
+        MissingError: node or the source is missing.
     """
     variable, source = f"EXACTSWEEP_{project.upper()}", SOURCES[project]
     node, folder = find_node(project, variable, source, "the folder of its source")

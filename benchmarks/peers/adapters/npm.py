@@ -1,16 +1,16 @@
-"""Packages of npm: clipper2-ts, js-angusj-clipper, polygon-clipping, convex-minkowski-sum, by node.
+"""The npm packages clipper2-ts, js-angusj-clipper, polygon-clipping and convex-minkowski-sum.
 
-Promise: clipper2-ts and js-angusj-clipper are Clipper2 and Clipper on integers that a
-double holds; vertices of the result are integers, so crossings are rounded. polygon-clipping has
-unions on doubles, with predicates that are exact. convex-minkowski-sum takes convex polygons.
+Promise: clipper2-ts and js-angusj-clipper are Clipper2 and Clipper on integers within doubles;
+crossings are rounded to integers. polygon-clipping computes unions of doubles with exact
+predicates. convex-minkowski-sum takes convex polygons.
 
-Questions: the two Clippers are asked for `minkowskiSum` of -G and D, times the scale that makes the
-case integer, united with what fills it where it has a hole or a ring that may hide one;
-polygon-clipping for the union of the sums of each two edges, and of what fills them;
-convex-minkowski-sum for its corners, which `npm.js` puts in order.
+Questions: `minkowskiSum` of -G and D by the two Clippers, scaled to integers, united with
+`list_fillings` if it has a hole or a ring touches itself; the union of the sums of all pairs of
+edges, and of `list_fillings`, by polygon-clipping; and the vertices of convex-minkowski-sum, which
+`npm.js` sorts.
 
-They are the user's, in the folder that the environment variable EXACTSWEEP_NPM names; the versions
-that were judged are those of `package.json` in this folder.
+The environment variable EXACTSWEEP_NPM names the folder with the packages; `package.json` has the
+judged versions.
 """
 
 from __future__ import annotations
@@ -32,11 +32,7 @@ MOST = 2**53 - 1
 
 
 def adapter(name: str) -> Adapter:
-    """Return the adapter of a package.
-
-    Raises:
-        MissingError: there is no node, or the package is not to be found.
-    """
+    """Make the adapter of a package; raise MissingError without node or the package."""
     package = f"node_modules/{name}/package.json"
     what = f"a folder in which npm has installed {SCRIPT.with_name('package.json')}"
     node, folder = find_node(name, "EXACTSWEEP_NPM", package, what)

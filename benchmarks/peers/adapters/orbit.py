@@ -1,18 +1,17 @@
-"""libnfporb and SVGnest: programs that move G around D, from contact to contact.
+"""libnfporb and SVGnest: orbiting programs, which move G around D from contact to contact.
 
-Promise: libnfporb, that holes of D, caves, interlocking and perfect fits are found, with
-long doubles and a tolerance of 10^-8 or, compiled otherwise, with rationals; SVGnest, doubles and a
-tolerance of 10^-9. Neither looks at holes of G.
+Promise: libnfporb finds holes of D, caves, interlocking and perfect fits, with long doubles and a
+tolerance of 10^-8, or with rationals; SVGnest uses doubles and a tolerance of 10^-9. Both ignore
+holes of G.
 
-Questions: libnfporb, `generate_nfp(D, G)`; SVGnest, `noFitPolygon` with all edges
-searched, again for each hole of D as it does itself, and for inner fits `noFitPolygonRectangle` in
-rectangles and `noFitPolygon` inside in other containers. G starts with a corner, its least vertex,
-and both programs answer with the path of that corner. Rings of one or two points, and rings that go
-along a line and back, count as exact fits.
+Questions: `generate_nfp(D, G)` of libnfporb; `noFitPolygon` of SVGnest with all edges searched,
+also for each hole of D, and for inner fits `noFitPolygonRectangle` in rectangles and `noFitPolygon`
+in other containers. The answer is the path of G's least vertex. Rings of one or two points, and
+rings that trace a line in both directions, are exact fits.
 
-libnfporb's header is the user's, and `nfporb.cpp` in this folder calls it, as the programs
-exactsweep-nfporb and exactsweep-nfporb-rational. SVGnest's source is in the folder that the
-environment variable EXACTSWEEP_SVGNEST names, and is run by node: see `nest.js`.
+`nfporb.cpp` in this folder includes libnfporb's header; compile it as exactsweep-nfporb and
+exactsweep-nfporb-rational. The environment variable EXACTSWEEP_SVGNEST names the folder with
+SVGnest's source, which `nest.js` loads.
 """
 
 from __future__ import annotations
@@ -34,11 +33,7 @@ from exactsweep.conform.run.protocol import Hello, Numbers, Question
 
 
 def adapter(name: str) -> Adapter:
-    """Return the adapter of one of them.
-
-    Raises:
-        MissingError: the program is not to be found.
-    """
+    """Make the adapter of either; raise MissingError without the program."""
     numbers: Numbers = "binary64"
     questions: tuple[Question, ...] = ("no_fit",)
     if is_svgnest := name == "svgnest-orbit":
@@ -72,7 +67,7 @@ def adapter(name: str) -> Adapter:
 def sort_out(
     found: list[list[Position]],
 ) -> tuple[list[list[Position]], list[tuple[Position, Position]]]:
-    """Tell rings from single positions and from lines along which an orbit went and came back.
+    """Separate rings from single positions and from lines traced in both directions.
 
     >>> from fractions import Fraction
     >>> a, b, c = (Fraction(0), Fraction(0)), (Fraction(2), Fraction(0)), (Fraction(0), Fraction(1))

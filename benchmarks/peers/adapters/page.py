@@ -1,4 +1,4 @@
-"""A page on other programs: the kinds of cases on which each is exact, and how it fails."""
+"""A page about the exact answers and the failures of other programs."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ COLUMNS = {
     "thin": ("sliver",),
     "beyond 2^53": ("huge",),
 }
-"""The columns of cases that have a class or a flag of these."""
+"""The columns, each with its classes and flags."""
 INSIDE = "inside a container"
 HEAD = """# Exactness of other programs
 
@@ -53,16 +53,11 @@ ID` prints it.
 
 
 def write_page(journals: Iterable[Path], asked: str) -> str:
-    """Write the page in Markdown.
+    """Write the page in Markdown, with the current date.
 
     Args:
-        journals: of 'exactsweep conform', one for each program and question.
-        asked: a description of the cases that the programs got.
-
-    Returns:
-        The text, with the day of today.
-
-    Cost: linear.
+        journals: journals of 'exactsweep conform', one for each program and question.
+        asked: a description of the cases.
     """
     found: dict[tuple[str, str], Tally] = defaultdict(Tally)
     smallest: dict[tuple[str, str], tuple[int, str]] = {}

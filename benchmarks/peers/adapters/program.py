@@ -1,7 +1,7 @@
-"""Programs that answer a line with a line: rings in, rings out, as words between blanks.
+"""Programs that read and write shapes, one per line, as words separated by spaces.
 
-A shape is the number of its rings, and each ring the number of its vertices and their coordinates.
-An answer is written likewise, or starts with "error".
+A shape has the number of rings, and for each ring the number of vertices and their coordinates. An
+answer is a shape, or starts with "error".
 """
 
 from __future__ import annotations
@@ -23,11 +23,7 @@ class ProgramError(Exception):
 
 
 class Program:
-    """A program that is started when it is needed, and again after it has ended.
-
-    Args:
-        command: the program and its arguments.
-    """
+    """A program that is started on demand, and restarted after it exits."""
 
     def __init__(self, command: Sequence[str]) -> None:
         self._command = command
@@ -37,7 +33,7 @@ class Program:
         """Send a line, and read the rings of the answer.
 
         Raises:
-            ProgramError: it ends, or says that something went wrong.
+            ProgramError: the program exits or reports an error.
         """
         self._channel = self._channel or Channel(self._command)
         self._channel.send(line)
@@ -55,17 +51,17 @@ class Program:
         ]
 
     def close(self) -> None:
-        """End it."""
+        """End the program."""
         if self._channel is not None:
             self._channel.kill()
             self._channel = None
 
 
 def find_node(name: str, variable: str, file: str, what: str) -> tuple[str, Path]:
-    """Find node, and the folder that an environment variable names and that has a file.
+    """Find node, and the folder with a file that an environment variable names.
 
     Raises:
-        MissingError: there is no node, or no such folder.
+        MissingError: node or the folder is missing.
     """
     node, folder = which("node"), os.environ.get(variable)
     if not (node and folder and Path(folder, file).is_file()):
@@ -79,7 +75,7 @@ def write_fraction(value: object) -> str:
 
 
 def write_shape(shape: AskedShape, write: Callable[[object], str] = write_fraction) -> str:
-    """Write a shape as words, numbers as fractions or otherwise.
+    """Write a shape as words.
 
     >>> write_shape([[(0, 0), (1, 0), (0, 1)]])
     '1 3 0 0 1 0 0 1'

@@ -1,10 +1,9 @@
-"""pysfcgal: the Minkowski sum of SFCGAL, which is CGAL's.
+"""Minkowski sums of SFCGAL by pysfcgal, computed by CGAL.
 
-Promise: numbers are exact rationals (CGAL's kernel with exact constructions). The first
-polygon may have holes; those of the second one are not looked at.
+Promise: exact rationals, by CGAL's kernel with exact constructions. The first polygon may have
+holes; holes of the second one are ignored.
 
-Question: `minkowski_sum` of D and -G, or of -G and D if only G has holes, read from WKT and
-written to it, in which SFCGAL has fractions; so nothing is rounded on the way.
+Question: `minkowski_sum` of D and -G, or of -G and D if only G has holes, in WKT with fractions.
 """
 
 from __future__ import annotations
@@ -26,11 +25,7 @@ _RING = re.compile(r"\(([^()]+)\)")
 
 
 def adapter(name: str) -> Adapter:
-    """Return the adapter.
-
-    Raises:
-        ImportError: it is not installed.
-    """
+    """Make the adapter; raise ImportError without the package."""
     import pysfcgal  # noqa: F401
 
     return sum_adapter(f"pysfcgal {version('pysfcgal')}", "rational", _add_either, shapes="any")

@@ -1,13 +1,10 @@
-"""shapely: the union of sums of triangles, on GEOS.
+"""Minkowski sums by shapely and GEOS: unions of sums of triangles.
 
-Promise: coordinates are binary64, and new vertices of a union are rounded; GEOS' overlay
-(OverlayNG) gives valid polygons, its result being exact except for that rounding where no heuristic
-has to come in. It has no Minkowski sum: this is the usual recipe.
+Promise: doubles; new vertices of a union are rounded. GEOS' OverlayNG returns valid polygons. It
+has no Minkowski sum: this is the usual recipe.
 
-Question: D and -G are cut into triangles (`constrained_delaunay_triangles`, no new
-vertices), each two of them summed as the convex hull of the nine sums of their vertices, and the
-hulls united by `union_all`, without a grid. All is shapely's arithmetic, except for the sums of
-two vertices, which are rounded as binary64 rounds them.
+Question: D and -G are cut into triangles by `constrained_delaunay_triangles`. The sum of two
+triangles is the convex hull of the sums of their vertices. `union_all` unites the hulls.
 """
 
 from __future__ import annotations
@@ -16,11 +13,7 @@ from benchmarks.peers.adapters.adapter import Adapter, AnsweredRings, AskedShape
 
 
 def adapter(name: str) -> Adapter:
-    """Return the adapter.
-
-    Raises:
-        ImportError: it is not installed.
-    """
+    """Make the adapter; raise ImportError without the package."""
     import numpy as np
     import shapely
 
