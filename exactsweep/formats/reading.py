@@ -6,7 +6,7 @@ from collections import Counter
 from collections.abc import Sequence
 from copy import copy
 from fractions import Fraction
-from typing import TypedDict
+from typing import TypedDict, cast
 
 from exactsweep.formats.decimals import show_number
 from exactsweep.formats.error import FormatError
@@ -125,16 +125,8 @@ class Reading:
     @property
     def options(self) -> Options:
         """The settings besides the tolerance."""
-        return {
-            "nested": self.nested,
-            "layers": self.layers,
-            "ignored_layers": self.ignored_layers,
-            "join": self.join,
-            "unit": self.unit,
-            "hidden": self.hidden,
-            "y_down": self.y_down,
-            "clean": self.clean or None,
-        }
+        given = {name: getattr(self, name) for name in Options.__annotations__}
+        return cast(Options, given | {"clean": self.clean or None})
 
     def at(self, tolerance: Fraction) -> Reading:
         """Return the settings for another reading at another tolerance."""
