@@ -201,5 +201,9 @@ def test_a_group_is_one_rigid_part(tmp_path: Path) -> None:
         assert all(set(piece) == {"points"} for piece in part["pieces"])
         return judge_layout(Layout.from_json(found.data)).valid
 
+    # An instance has no groups.
+    table.write_text("part,x,y,angle\npair,0,0,0\n")
+    (found,) = read_layouts(str(table), part=f"{drawing}#pair", instance=str(drawing))
+    assert "part 'pair' is not in the instance" in found.notes
     assert judge("6,0,0") == judge("-6,0,0") is True
     assert judge("5,0,0") == judge("4,0,0") is False

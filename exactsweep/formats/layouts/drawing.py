@@ -214,12 +214,12 @@ def _find_artwork(found: Nested) -> list[str]:
     doubtful = [
         (hole, around[id(hole)], inner)
         for inner, hole in found.islands
-        if id(hole) in around and inner.layer == around[id(hole)].layer != hole.layer
+        if id(hole) in around and hole.layer and inner.layer == around[id(hole)].layer != hole.layer
     ]
     return [
         f"whether {tell_place(hole)} on {tell_layer(hole.layer)} is a hole of {tell_place(part)}: "
         f"else {tell_place(inner)} overlaps that part (--flat reads each outline as a part, "
-        f"--ignore-layer {get_layer(hole)} skips the layer)"
+        f"--ignore-layer {hole.layer} skips the layer)"
         for hole, part, inner in doubtful[:1]
     ]
 

@@ -57,6 +57,8 @@ class WantedPart(NamedTuple):
 
         Raises PolygonError if the rings of the part bound no region.
         """
+        if len(part.get("pieces", ())) > 1:
+            return None
         drawn = read_rounded(part)
         if self.rounded is not None and drawn is not None:
             return find_rounded_congruence(self.rounded, drawn)
