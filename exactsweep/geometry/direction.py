@@ -14,9 +14,9 @@ from dataclasses import dataclass
 from functools import cmp_to_key
 from itertools import groupby
 from math import gcd
-from operator import ne, sub
 
 from exactsweep.geometry.polygon import Polygon
+from exactsweep.geometry.vectors import minus
 from exactsweep.numbers.error import ExactSweepError, quote
 from exactsweep.numbers.number import Vertex, find_simplest_fraction, to_fraction
 from exactsweep.words import write_degrees, write_vector
@@ -60,7 +60,7 @@ class Directions:
 
     def __and__(self, other: Directions) -> Directions:
         """Intersect two sets of directions. Cost: O(n), a cross product for each critical one."""
-        critical = sorted(dict.fromkeys(self.critical + other.critical), key=angle_key)
+        critical = sorted(dict.fromkeys(self.critical + other.critical), key=slope_key)
         states = zip(self._follow(critical), other._follow(critical), strict=True)
         found = [
             (at and also_at, after and also_after) for (at, after), (also_at, also_after) in states
@@ -133,7 +133,7 @@ class Directions:
     def _last_up_to(self, direction: Vector) -> int:
         """Return the number of the last critical direction up to this one, -1 before all."""
         return (
-            bisect_right(self.critical, angle_key(reduce_direction(direction)), key=angle_key) - 1
+            bisect_right(self.critical, slope_key(reduce_direction(direction)), key=slope_key) - 1
         )
 
 
@@ -176,11 +176,12 @@ def find_monotone_directions(polygon: Polygon) -> Directions:
     """
     found: Directions | None = polygon._directions
     if found is None:
-        found = polygon._directions = _turn_through(_edges(polygon.lattice()[1]))
+        found = polygon._directions = _rotate_through(polygon.lattice()[1])
     return found
 
 
-def _turn_through(edges: Sequence[Vertex]) -> Directions:
+def _rotate_through(ring: Sequence[Vertex]) -> Directions:
+    edges = [minus(p, ring[k - 1]) for k, p in enumerate(ring)]
     n = len(edges)
     # Start just past -90 degrees: u = (e, -1) with an infinitesimal e > 0.
     forward = [dy < 0 or (dy == 0 and dx > 0) for dx, dy in edges]
@@ -190,7 +191,7 @@ def _turn_through(edges: Sequence[Vertex]) -> Directions:
         return (forward[k] != forward[k - 1]) + (forward[k] != forward[(k + 1) % n])
 
     normals = [reduce_direction((-dy, dx)) for dx, dy in edges]
-    order = sorted(range(n), key=lambda k: angle_key(normals[k]))
+    order = sorted(range(n), key=lambda k: slope_key(normals[k]))
     critical, at, after = [], [], []
     for u, group in groupby(order, key=normals.__getitem__):
         weak = changes
@@ -208,28 +209,12 @@ def _turn_through(edges: Sequence[Vertex]) -> Directions:
     return Directions(tuple(critical), tuple(at), tuple(after))
 
 
-def is_monotone(polygon: Polygon, direction: Vector, *, strict: bool = False) -> bool:
-    """Decide whether a polygon is monotone in one direction, at least weakly. Cost: O(n)."""
-    p, q = direction
-    along = [p * x + q * y for x, y in polygon.lattice()[1]]
-    steps = list(map(sub, along, along[-1:] + along))
-    if strict and not all(steps):
-        return False
-    forward = [step > 0 for step in filter(None, steps)]
-    changes: int = sum(map(ne, forward, forward[-1:] + forward))
-    return changes == 2
-
-
-def _edges(ring: Sequence[Vertex]) -> list[Vertex]:
-    return [(ring[k][0] - ring[k - 1][0], ring[k][1] - ring[k - 1][1]) for k in range(len(ring))]
-
-
-def _turn(u: Vector, v: Vector) -> int:
+def _compare_slopes(u: Vector, v: Vector) -> int:
+    # Both are in the half plane of `reduce_direction`.
     return u[1] * v[0] - u[0] * v[1]
 
 
-# Both are in the half plane of `reduce_direction`, so the sign of the cross product orders them.
-angle_key = cmp_to_key(_turn)
+slope_key = cmp_to_key(_compare_slopes)
 
 
 def _find_simplest_between(u: Vector, v: Vector) -> Vector:

@@ -16,7 +16,6 @@ from exactsweep.geometry.direction import (
     DirectionError,
     Vector,
     find_monotone_directions,
-    is_monotone,
 )
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.geometry.vectors import minus
@@ -47,11 +46,11 @@ def find_shared_direction(generatrix: Polygon, directrix: Polygon) -> Vector | N
 
 def require_monotone(polygon: Polygon, direction: Vector, name: str) -> None:
     """Raise DirectionError if a polygon is not monotone in the requested direction."""
-    if not is_monotone(polygon, direction):
+    found = find_monotone_directions(polygon)
+    if direction not in found:
         raise DirectionError(
             f"the {name} is not monotone in direction {write_vector(direction)}, "
-            f"{write_degrees(direction)} degrees; "
-            f"its directions of monotonicity: {find_monotone_directions(polygon)}"
+            f"{write_degrees(direction)} degrees; its directions of monotonicity: {found}"
         )
 
 

@@ -58,15 +58,8 @@ def quote(value: object) -> str:
 class name_refusals:  # noqa: N801
     """Put a name in front of the message of an error inside a `with` block.
 
-    Args:
-        name: the name of the input, such as "generatrix" or "hole 2".
-        refusal: the type of the error to raise, for any ValueError; None keeps the type of an
-            ExactSweepError, and other errors as they are.
-
-    >>> with name_refusals("hole 2"):
-    ...     raise ExactSweepError("zero area")
-    Traceback (most recent call last):
-    exactsweep.numbers.error.ExactSweepError: hole 2: zero area
+    With a type `refusal`, any ValueError becomes an error of that type; otherwise an
+    ExactSweepError keeps its type, and other errors pass.
     """
 
     def __init__(self, name: str, refusal: type[ExactSweepError] | None = None) -> None:
@@ -82,18 +75,7 @@ class name_refusals:  # noqa: N801
 
 @contextmanager
 def require_imports(package: str, what: str, refusal: type[ExactSweepError]) -> Iterator[None]:
-    """Raise an error that names the package to install, if an import in the `with` block fails.
-
-    Args:
-        package: the library, by the name under which pip installs it.
-        what: the feature that needs the library.
-        refusal: the type of the error to raise.
-
-    >>> with require_imports("naps", "rest", ExactSweepError):
-    ...     import naps
-    Traceback (most recent call last):
-    exactsweep.numbers.error.ExactSweepError: rest needs naps: pip install naps
-    """
+    """Raise an error that names the package to install, if an import in the `with` block fails."""
     try:
         yield
     except ModuleNotFoundError:

@@ -16,11 +16,10 @@ from exactsweep.geometry.direction import (
     X_AXIS,
     Directions,
     _find_simplest_between,
-    angle_key,
     find_monotone_directions,
-    is_monotone,
     read_direction,
     reduce_direction,
+    slope_key,
 )
 from exactsweep.geometry.frame import find_shared_direction
 from exactsweep.geometry.vectors import compare_angles
@@ -86,8 +85,6 @@ def test_monotone_is_two_changes_of_sign(polygon: Polygon) -> None:
     for u in trials(polygon):
         assert (u in found) == is_weakly_monotone(polygon, u), u
         assert is_strict(found, u) == is_strictly_monotone(polygon, u), u
-        assert is_monotone(polygon, u) == is_weakly_monotone(polygon, u), u
-        assert is_monotone(polygon, u, strict=True) == is_strictly_monotone(polygon, u), u
         assert ((-u[0], -u[1]) in found) == (u in found)
     assert bool(found) == any(is_weakly_monotone(polygon, u) for u in trials(polygon))
 
@@ -205,7 +202,7 @@ def test_directions_are_read_as_primitive_vectors(given_: Any, expected: Vector)
 # All directions of small components, by angle.
 HALF = sorted(
     ((p, q) for p in range(7) for q in range(-6, 7) if gcd(p, q) == 1 and (p or q > 0)),
-    key=angle_key,
+    key=slope_key,
 )
 
 
