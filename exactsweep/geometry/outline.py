@@ -66,25 +66,13 @@ class Outline:
                 yield "E", self.starts[ring] + k
 
 
-def walk_rings(shape: AnyPolygon) -> Iterator[tuple[int, int, int]]:
-    """Yield the numbers of each vertex's predecessor, of itself, and of its successor in a ring."""
-    first = 0
-    for ring in shape.rings:
-        size = len(ring)
-        for k in range(size):
-            yield first + (k - 1) % size, first + k, first + (k + 1) % size
-        first += size
-
-
 def number_features(
     shape: AnyPolygon,
 ) -> tuple[dict[int, Point], dict[int, tuple[int, int]]]:
     """Return the vertices by input number, and by edge number the numbers of its two ends."""
     numbers = [shape.vertex_index(k) for k in range(len(shape))]
-    return (
-        dict(zip(numbers, shape.vertices, strict=True)),
-        {
-            shape.edge_index(k): (numbers[k], numbers[following])
-            for _, k, following in walk_rings(shape)
-        },
-    )
+    ends = {
+        shape.edge_index(k): (numbers[k], numbers[after])
+        for k, after in enumerate(Outline(shape.rings).after)
+    }
+    return dict(zip(numbers, shape.vertices, strict=True)), ends

@@ -8,7 +8,7 @@ from collections.abc import Iterable, Iterator, Sequence
 from exactsweep.evidence.contact import Contact
 from exactsweep.evidence.steps import Half, Landmark, Step, Touch, explain
 from exactsweep.evidence.sweep import SweepAnswer
-from exactsweep.geometry.outline import number_features, walk_rings
+from exactsweep.geometry.outline import Outline, number_features
 from exactsweep.geometry.region import AnyPolygon
 from exactsweep.numbers.digits import abridge
 from exactsweep.numbers.number import Point
@@ -66,7 +66,8 @@ class _FeatureNames:
         self.ends = {j: set(numbers) for j, numbers in ends.items()}
         self.reflex: set[int] = set()
         corners = shape.vertices
-        for before, k, after in walk_rings(shape):
+        outline = Outline(shape.rings)
+        for k, (before, after) in enumerate(zip(outline.before, outline.after, strict=True)):
             i, j = shape.vertex_index(k), shape.edge_index(k)
             (px, py), (x, y), (qx, qy) = corners[before], corners[k], corners[after]
             start, end = write_pair((x, y)), write_pair((qx, qy))

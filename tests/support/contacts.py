@@ -4,7 +4,7 @@ from collections.abc import Iterable
 
 from exactsweep import Sweep
 from exactsweep.evidence.contact import Contact
-from exactsweep.geometry.outline import walk_rings
+from exactsweep.geometry.outline import Outline
 from exactsweep.geometry.region import Region
 from exactsweep.numbers.number import Point
 
@@ -25,7 +25,7 @@ def _ends(shape: Region) -> dict[int, set[int]]:
     """Map each edge to the indices of its ends."""
     return {
         shape.edge_index(k): {shape.vertex_index(k), shape.vertex_index(following)}
-        for _, k, following in walk_rings(shape)
+        for k, following in enumerate(Outline(shape.rings).after)
     }
 
 
