@@ -27,7 +27,7 @@ NO_FILES: Mapping[str, str] = MappingProxyType({})
 
 _SHOWN = 6
 """The significant digits of a rounded number."""
-_ANY_EXPONENT = Context(prec=_SHOWN + 1, Emax=MAX_EMAX, Emin=MIN_EMIN)
+_ANY_EXPONENT = Context(prec=99, Emax=MAX_EMAX, Emin=MIN_EMIN)
 # A width beyond the length of any line, because rich always wraps.
 _NO_WRAPPING = 10**9
 
@@ -236,8 +236,8 @@ def write_area(area: Fraction) -> tuple[str, str]:
     return "" if rounded == exact else rounded, exact
 
 
-def approximate(value: Fraction, *, up: bool = False) -> str:
-    """Round a number to six significant digits, to nearest or up.
+def approximate(value: Fraction, *, up: bool = False, more: int = 0) -> str:
+    """Round a number to six significant digits and `more`, to nearest or up.
 
     >>> approximate(Fraction(-20, 3)), approximate(Fraction(30)), approximate(Fraction(2**99))
     ('-6.66667', '30', '6.33825e+29')
@@ -247,7 +247,7 @@ def approximate(value: Fraction, *, up: bool = False) -> str:
     ['1e-7', '0.000001', '1000000000000', '1e+13']
     """
     n, d = value.as_integer_ratio()
-    exponent = find_magnitude(abs(value)) - _SHOWN + 1 if n else 0
+    exponent = find_magnitude(abs(value)) - _SHOWN - more + 1 if n else 0
     n, d = n * 10 ** max(0, -exponent), d * 10 ** max(0, exponent)
     # Ties go to even.
     whole, rest = divmod(2 * n + d, 2 * d)

@@ -136,6 +136,13 @@ def test_many_tiny_faults_look_like_rounding(monkeypatch: pytest.MonkeyPatch) ->
     assert "note: 8 overlaps, all at most 1e-9 deep: rounding? (--accept 1e-9" in text
 
 
+def test_witnesses_far_from_the_origin_have_the_digits_of_the_layout() -> None:
+    part = {"id": "t", "exterior": [[0, 0], [2, 0], [2, 2], [0, 2]]}
+    places = [{"part": "t", "move": [x, 10**9]} for x in (4 * 10**8, 4 * 10**8 + 1)]
+    text = report_layout(judge_layout(Layout.from_json({"parts": [part], "placements": places})))
+    assert "(400000001.5, 1000000001)" in text
+
+
 def test_json_is_exact() -> None:
     data = json.loads(write_layout_json(judged("overlap-1e-30"), ["a note"]))
     assert data["valid"] is False

@@ -215,7 +215,8 @@ def tell_fault(
     elif repaired and fault.kind == "outside" and one.square is None:
         bad = "no free position at this rotation"
     places = context.name_placements(judgement, fault)
-    return places, spell_out(bad), " ".join(map(_write_about, fault.points)), repair
+    witness = " ".join(_write_about(point, judgement.box) for point in fault.points)
+    return places, spell_out(bad), witness, repair
 
 
 def write_layout_json(
@@ -283,8 +284,14 @@ def _list_fault(
     return data
 
 
-def _write_about(point: Point) -> str:
-    return f"({', '.join(map(approximate, point))})"
+def _write_about(point: Point, box: tuple[Point, Point] | None = None) -> str:
+    """Round a point to the size of a box, which may be far from the origin."""
+    size = max((b - a for a, b in zip(*box, strict=True)), default=0) if box else 0
+    rounded = []
+    for c in point:
+        more = find_magnitude(abs(c)) - find_magnitude(Fraction(size)) if c and size else 0
+        rounded.append(approximate(c, more=max(0, more)))
+    return f"({', '.join(rounded)})"
 
 
 def _about(rounded: str, exact: str) -> str:
