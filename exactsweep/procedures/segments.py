@@ -24,6 +24,7 @@ from __future__ import annotations
 from bisect import bisect_left, bisect_right
 from collections import defaultdict
 from collections.abc import Callable, Iterable, Iterator, Sequence
+from dataclasses import dataclass, field
 from itertools import chain, groupby
 from math import gcd, lcm
 from operator import itemgetter
@@ -60,6 +61,7 @@ LeaveOut = Callable[[Sequence[EdgeFeature], Sequence[Vertex], int], Sequence[Edg
 """A pruning step: of the edges that vertex k of a ring faces, it returns the parts to keep."""
 
 
+@dataclass(eq=False)
 class ContactSegment:
     """A piece of a line along which contact segments have the same directions.
 
@@ -72,19 +74,15 @@ class ContactSegment:
         cuts: the crossings with other segments, and `keys`, those of the ends; see `crossings`.
     """
 
-    def __init__(
-        self,
-        line: LatticeLine,
-        low: Parameter,
-        high: Parameter,
-        sides: Sides,
-        low_sides: Sides = NEITHER,
-    ) -> None:
-        self.line, self.low, self.high = line, low, high
-        self.sides, self.low_sides, self.high_sides = sides, low_sides, NEITHER
-        self.covered = NEITHER
-        self.cuts: list[Cut] = []
-        self.keys = 0, 0
+    line: LatticeLine
+    low: Parameter
+    high: Parameter
+    sides: Sides
+    low_sides: Sides = NEITHER
+    high_sides: Sides = NEITHER
+    covered: Sides = NEITHER
+    cuts: list[Cut] = field(default_factory=list)
+    keys: tuple[int, int] = (0, 0)
 
     @property
     def box(self) -> tuple[int, int, int, int]:
@@ -99,9 +97,8 @@ class ContactSegment:
 
     def between(self, low: int | None, high: int | None) -> ContactSegment:
         """Return a piece of the segment, cut at one end or both, with overlap beyond each cut."""
-        piece = ContactSegment(self.line, self.low, self.high, self.sides, self.low_sides)
-        piece.high_sides = self.high_sides
-        piece.covered = low is not None, high is not None
+        ends = self.line, self.low, self.high, self.sides, self.low_sides, self.high_sides
+        piece = ContactSegment(*ends, covered=(low is not None, high is not None))
         if low is not None:
             piece.low, piece.low_sides = (low, 1), self.sides
         if high is not None:
@@ -176,8 +173,6 @@ def _list_edges(ring: Sequence[Vertex]) -> list[EdgeFeature]:
 
 
 def _scale(bx: Rational, by: Rational, ax: Rational, ay: Rational) -> Adjacent:
-    if type(bx) is type(by) is type(ax) is type(ay) is int:
-        return bx, by, ax, ay, 1
     unit = lcm(bx.denominator, by.denominator, ax.denominator, ay.denominator)
     return int(bx * unit), int(by * unit), int(ax * unit), int(ay * unit), unit
 
