@@ -149,11 +149,11 @@ BY_FAULT: dict[Procedure, dict[str, Sabotage]] = {
                 x + x for x, _ in chains[0] for _ in range(int(measure(chains) ** 0.5))
             ]
         ),
-        "Trajectory_CC: right, but (m + n)^1.4 slots of a list are kept": before(
-            lambda *chains: [None] * int(measure(chains) ** 1.4)
+        "Trajectory_CC: right, but (m + n)^1.5 slots of a list are kept": before(
+            lambda *chains: [None] * int(measure(chains) ** 1.5)
         ),
-        "Trajectory_CC: right, but each vertex is compared log(m + n) times": after(
-            lambda found, *chains: compare_log_times([x for x, _ in found], measure(chains))
+        "Trajectory_CC: right, but each vertex is compared 8 log(m + n) times": after(
+            lambda found, *chains: compare_log_times([x for x, _ in found] * 8, measure(chains))
         ),
         "Trajectory_CC: right, but a table of m² is kept": before(keep_table),
     },
