@@ -1,4 +1,4 @@
-"""The corpus: pairs with exact answers, for tests of any implementation."""
+"""The corpus: pairs with exact answers for tests of any program."""
 
 from exactsweep.corpus.case import Case, CaseError
 from exactsweep.corpus.case_json import case_from_json, case_to_json

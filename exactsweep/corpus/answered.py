@@ -1,4 +1,4 @@
-"""A pair of polygons as given, and the exact answers."""
+"""A pair of polygons with the exact answers."""
 
 from collections.abc import Iterator
 from dataclasses import dataclass
@@ -31,23 +31,23 @@ class AnsweredPair:
     """A pair of polygons with the exact answers.
 
     Attributes:
-        directrix_ring: D, or its exterior, as given: tuple of Point, not closed, with the
-            orientation, collinear vertices and repeated vertices of the input.
-        generatrix_ring: G, likewise.
-        reference: the point of G whose path the trajectory is.
+        directrix_ring: the exterior of D as given: an open tuple of Point, with the orientation,
+            collinear vertices and repeated vertices of the input.
+        generatrix_ring: the exterior of G as given.
+        reference: the reference point of G, whose path is the trajectory.
         kind: "CC", "CM", "MM" or "SS".
-        trajectory: the expected trajectory, a Polygon.
-        inner: the expected inner loop, likewise.
-        outer: the expected outer loop, likewise.
-        exact_fits: the expected exact fits, as `Sweep.exact_fits`.
-        area: the expected swept area.
+        trajectory: the exact trajectory, a Polygon.
+        inner: the exact inner loop, a Polygon.
+        outer: the exact outer loop, a Polygon.
+        exact_fits: the exact fits, as in `Sweep.exact_fits`.
+        area: the swept area.
         directrix_holes: the holes of D as given.
-        generatrix_holes: those of G.
-        holes: the expected holes of the no-fit polygon, whose exterior is the trajectory.
-        unswept: the expected further holes of the swept area.
-        inner_regions: the expected regions of positions of G inside D; None if the case does not
-            ask for them. Cases of class "SS" and containers do.
-        inner_exact_fits: the expected exact fits of G inside D.
+        generatrix_holes: the holes of G as given.
+        holes: the holes of the no-fit polygon, whose exterior is the trajectory.
+        unswept: additional holes of the swept area.
+        inner_regions: the regions of positions of G inside D; None if the case does not have them.
+            Cases of class "SS" and containers have them.
+        inner_exact_fits: the exact fits of G inside D.
     """
 
     directrix_ring: Loop
@@ -104,23 +104,17 @@ class AnsweredPair:
 
     @cached_property
     def integer_scale(self) -> int:
-        """The least scale at which D, G and the reference point are integers.
-
-        If the answer has fractions at this scale, the case has the flag "rounded-answer".
-        """
+        """The least scale at which D, G and the reference point are integers."""
         return lcm(*(c.denominator for c in self.list_input()))
 
     @cached_property
     def representable(self) -> frozenset[str]:
-        """The number types that represent every coordinate of the input without rounding.
-
-        "int32" and "int64" represent the input times `integer_scale`, "binary64" the input itself.
-        """
+        """The number types that represent the input exactly, integers at `integer_scale`."""
         return find_types(list(self.list_input()), self.integer_scale)
 
     @cached_property
     def answer_representable(self) -> frozenset[str]:
-        """The number types that represent the expected answer, at the same scale."""
+        """The number types that represent the answer exactly, integers at `integer_scale`."""
         return find_types(list(self.list_answer()), self.integer_scale)
 
     def list_input(self) -> Iterator[Fraction]:
@@ -129,7 +123,7 @@ class AnsweredPair:
         return chain(*chain(*rings))
 
     def list_answer(self) -> Iterator[Fraction]:
-        """List the coordinates of all expected loops and exact fits."""
+        """List the coordinates of all loops and exact fits of the answer."""
         loops = (self.trajectory, self.inner, self.outer, *self.holes, *self.unswept)
         rings = [shape.vertices for shape in (*loops, *(self.inner_regions or ()))]
         return chain(*chain(*rings, *self.exact_fits, *self.inner_exact_fits))

@@ -1,4 +1,4 @@
-"""A case of the corpus: a pair as given, with its exact answers and facts."""
+"""A case of the corpus: a pair with its exact answers and flags."""
 
 from __future__ import annotations
 
@@ -21,19 +21,19 @@ Given = AnyPolygon | Iterable[Iterable[object]]
 
 
 class CaseError(ExactSweepError):
-    """A case that cannot be read or contradicts itself; the message names the place."""
+    """An invalid case; the message names the place."""
 
 
 @dataclass(frozen=True, kw_only=True)
 class Case(AnsweredPair):
-    """A pair of polygons with the exact answers for tests of an implementation.
+    """A pair of polygons with the exact answers, and a name.
 
     Attributes:
-        id: the name of the case; it never changes its meaning.
-        title: one line for people.
+        id: the name of the case, whose meaning never changes.
+        title: a description in one line.
         flags: the special properties of the case, sorted; `exactsweep.corpus.notes` explains them.
-        note: the origin of the case, in addition to the title.
-        version: the version of the corpus in which the case appeared; it never changes.
+        note: the origin of the case.
+        version: the first version of the corpus with the case.
     """
 
     id: str
@@ -61,16 +61,15 @@ class Case(AnsweredPair):
         """Make a case by sweeping the pair.
 
         Args:
-            id: its name.
-            title: one line for people.
-            directrix: D, a Polygon, a Region or vertices as for `Polygon`, which are kept, except
-                for a last one that repeats the first.
+            id: the name of the case.
+            title: a description in one line.
+            directrix: D, a Polygon, a Region or vertices as for `Polygon`; vertices stay as given.
             generatrix: G, likewise.
-            reference: the point of G whose path the trajectory is.
+            reference: the reference point of G.
             flags: flags in addition to those of `find_facts`.
             directrix_holes: the holes of D, if it is no Region.
-            generatrix_holes: those of G.
-            inner_fit: whether a pair that is not "SS" asks for the positions of G inside D.
+            generatrix_holes: the holes of G, if it is no Region.
+            inner_fit: whether to compute the positions of G inside D for any class.
             note: the origin of the case.
 
         Raises:
@@ -125,7 +124,7 @@ def read_given_rings(shape: Given, holes: Iterable[Given] = ()) -> tuple[Loop, .
 
 
 def given_ring(vertices: Given) -> Loop:
-    """Read vertices as given, except for a last one that repeats the first.
+    """Read vertices as given, but drop a last one that repeats the first.
 
     >>> len(given_ring([(0, 0), (1, 0), (1, 0), (0, 1), (0, 0)]))
     4

@@ -1,4 +1,4 @@
-"""Cases as JSON data: every number a string, a reduced rational."""
+"""Cases as JSON data with numbers as strings, which are reduced rationals."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ from exactsweep.words import suggest
 
 @tells_arguments
 def case_to_json(case: Case) -> dict[str, Any]:
-    """Write a case as a dict for `json.dump`, which `schema.json` describes.
+    """Write a case as a dict for `json.dump` in the format of `schema.json`.
 
     Example:
         >>> square = [(0, 0), ("1/2", 0), ("1/2", 1), (0, 1)]
@@ -77,15 +77,14 @@ def case_to_json(case: Case) -> dict[str, Any]:
 
 @tells_arguments
 def case_from_json(data: object) -> Case:
-    """Read a case; the sweep is not computed again.
+    """Read a case without computing the sweep again.
 
     Args:
         data: the result of `case_to_json` or `json.load`.
 
     Raises:
-        CaseError: anything that `case_to_json` would not write: numbers are not reduced, loops are
-            not canonical, counts or number types are wrong, members are unknown. The message starts
-            with the path to the error.
+        CaseError: the data differs from the result of `case_to_json`, for example by numbers that
+            are not reduced or unknown members. The message starts with the path to the error.
 
     Example:
         >>> square = [(0, 0), (1, 0), (1, 1), (0, 1)]
@@ -127,7 +126,7 @@ def _read(data: JsonNode) -> Case:
         inner=inner,
         outer=outer,
         exact_fits=_fits(expected),
-        # The reader compares the area in the document, of any length, with this one.
+        # `_require_same` compares the area in the document with this one.
         area=outer.area - add_up(loop.area for loop in (inner, *unswept)),
         directrix_holes=tuple(map(_given, data.get("directrix_holes", []).each())),
         generatrix_holes=tuple(map(_given, data.get("generatrix_holes", []).each())),
@@ -194,7 +193,7 @@ _DEFAULTS: dict[str, object] = {
     "directrix_holes": [],
     "generatrix_holes": [],
 }
-"""Members that a case may have although `case_to_json` omits them."""
+"""Permitted members that `case_to_json` omits."""
 
 
 def _types(held: Iterable[str]) -> list[str]:
@@ -202,5 +201,5 @@ def _types(held: Iterable[str]) -> list[str]:
 
 
 def case_to_line(case: Case) -> str:
-    """Write a case as one line of JSON with its line end."""
+    """Write a case as a line of JSON."""
     return json.dumps(case_to_json(case), separators=(",", ":")) + "\n"

@@ -16,16 +16,10 @@ _WIDTH = 100
 
 
 def describe(name: str) -> str:
-    """Describe the case, the flag or the family of the generator that has a name.
-
-    Args:
-        name: the id of a shipped or generated case, a flag, or a family.
-
-    Returns:
-        Lines of text.
+    """Describe a case, a flag or a family of the generator by its name.
 
     Raises:
-        UnknownNameError: nothing has this name; the message suggests one that is similar.
+        UnknownNameError: the name is unknown; the message suggests a similar one.
 
     Example:
         >>> print(describe("huge"), end="")
@@ -75,7 +69,7 @@ def _case(case: Case) -> Iterator[str]:
 
 
 def _rings(name: str, rings: Sequence[Sequence[Point]]) -> Iterator[str]:
-    """Write an exterior under a name, and its holes."""
+    """Write an exterior with a name, and its holes."""
     for k, ring in enumerate(rings):
         yield _points("  hole" if k else name, ring)
 

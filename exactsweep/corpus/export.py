@@ -21,7 +21,7 @@ from exactsweep.geometry.canonical import find_doubled_area
 from exactsweep.numbers.digits import format_fraction
 from exactsweep.numbers.number import Point
 
-# The size of a picture with two lines below it.
+# The size of a picture with two lines of text.
 _WIDTH, _HEIGHT = 440, 370
 
 
@@ -29,11 +29,9 @@ class CaseFigure(NamedTuple):
     """A polygon of a case, or a segment of positions.
 
     Attributes:
-        name: "directrix", "generatrix", "trajectory", "inner", "outer", "exact fit"; "hole" of the
-            no-fit polygon, "unswept"; "inner fit", "exact fit inside".
+        name: for example "directrix", "trajectory", "hole" or "exact fit".
         closed: whether it is a polygon.
-        rings: the exterior and the holes, not closed; or one ring of the two ends of a segment, or
-            of a single position.
+        rings: the open exterior and holes, or one ring of the ends of a segment.
     """
 
     name: str
@@ -64,8 +62,8 @@ def list_figures(case: Case) -> Iterator[CaseFigure]:
 def cases_to_wkt(cases: Iterable[Case]) -> Iterator[str]:
     """Yield the lines of a CSV table with one polygon or segment per row.
 
-    The columns are the case's id, the figure's name, POLYGON, LINESTRING or POINT, and why that is
-    missing: WKT has decimals only, and rounding 1/3 would change the figure.
+    The columns are the case's id, the figure's name, the WKT, and the reason if it is missing: WKT
+    has only decimals, so it cannot represent 1/3.
 
     Example:
         >>> from exactsweep.corpus import find_case
@@ -99,10 +97,9 @@ def _row(*fields: str) -> str:
 def cases_to_geojson(cases: Iterable[Case]) -> Iterator[str]:
     """Yield the lines of a FeatureCollection (RFC 7946) with one polygon or segment per feature.
 
-    Rings are closed, exteriors counter-clockwise and holes clockwise, as RFC 7946 requires. If some
-    coordinate is not a double, "exact" is false, the geometry has the nearest doubles, or is null
-    beyond their range, and "vertices" has the exact vertices as strings, in a list of rings if
-    there are holes.
+    If some coordinate is not a double, "exact" is false, the geometry has the nearest doubles, or
+    is null beyond their range, and "vertices" has the exact vertices as strings, in a list of rings
+    if there are holes.
 
     Example:
         >>> from exactsweep.corpus import find_case
@@ -150,7 +147,7 @@ def _geometry(closed: bool, rings: Sequence[Sequence[Point]]) -> dict[str, Any]:
 
 
 def cases_to_svg(cases: Iterable[Case]) -> Iterator[str]:
-    """Yield the text of an SVG sheet with a picture of each case.
+    """Yield the text of an SVG image with a picture of each case.
 
     Example:
         >>> from exactsweep.corpus import find_case

@@ -1,4 +1,4 @@
-"""The flags that can be computed from a pair and its answer."""
+"""Flags computed from a pair and its answer."""
 
 from __future__ import annotations
 
@@ -23,15 +23,9 @@ MANY = 256
 
 
 def find_facts(case: AnsweredPair) -> set[str]:
-    """Compute flags of a pair.
+    """Compute the flags of a pair, which `exactsweep.corpus.notes` explains.
 
-    Args:
-        case: a pair with its answers.
-
-    Returns:
-        Names of flags; `exactsweep.corpus.notes` says what each means.
-
-    Cost: O((m + n) log(m + n)) besides the sweep and `classify`.
+    Cost: O((m + n) log(m + n)), plus the sweep and `classify`.
 
     Example:
         >>> from exactsweep.corpus import Case
@@ -124,7 +118,7 @@ def _sizes(case: AnsweredPair) -> Iterator[str]:
 
 
 def _greatest_product(case: AnsweredPair) -> Fraction:
-    """The greatest cross product of the sides of the boxes around D and G, on the lattice."""
+    """Return the greatest cross product of the sides of the bounding boxes, on the lattice."""
     boxes = [polygon.bounding_box for polygon in (case.directrix, case.generatrix)]
     width, height = (
         max(high[axis] - low[axis] for low, high in boxes) * case.integer_scale for axis in (0, 1)
@@ -155,7 +149,7 @@ def _slopes(case: AnsweredPair) -> Iterator[str]:
 
 
 def _directions(rings: PointRings) -> set[Vector]:
-    """The primitive vectors along the edges, in the right half plane."""
+    """Return the primitive vectors along the edges, in the right half-plane."""
     found = set()
     for p, q in chain.from_iterable(map(_edges, rings)):
         dx, dy = q.x - p.x, q.y - p.y

@@ -1,4 +1,4 @@
-"""Layouts with faults worked out by hand, for tests of judges of layouts."""
+"""Layouts with known faults, for tests of judges of layouts."""
 
 from __future__ import annotations
 
@@ -15,14 +15,13 @@ class LayoutCase(NamedTuple):
     """A layout with its expected faults.
 
     Attributes:
-        id: the name of the case; it never changes its meaning.
-        title: one line for people.
+        id: the name of the case, whose meaning never changes.
+        title: a description in one line.
         data: the layout as JSON data.
-        expected: "valid"; "faults", each with its "kind" and "placements", maybe the "part", the
-            "number" of placements, the "distance_squared", and in "move_squared" the squared length
-            of the shortest move that repairs it, null if there is none or it is irrational;
-            "contacts"; and for some cases the "density" and the least "distance_squared" of two
-            parts. Numbers are strings with reduced rationals.
+        expected: "valid"; "contacts"; sometimes "density" and the least "distance_squared" of two
+            parts; and "faults", each with "kind", "placements", and possibly "part", "number",
+            "distance_squared" and "move_squared", the squared length of the shortest repairing
+            move, null if there is none or it is irrational. Numbers are reduced rationals.
         note: the origin of the case, or a remark.
     """
 
@@ -54,7 +53,7 @@ def layout_cases() -> Iterator[LayoutCase]:
 
 @tells_arguments
 def find_layout_case(id: str) -> LayoutCase:
-    """Return the shipped layout of this id, or raise UnknownNameError.
+    """Find a shipped layout by its id, or raise UnknownNameError.
 
     Example:
         >>> find_layout_case("layouts-slot").expected["valid"]

@@ -1,4 +1,4 @@
-"""Names that users write, with suggestions for unknown ones."""
+"""Names in user input, with suggestions for unknown ones."""
 
 from collections.abc import Collection
 
@@ -7,7 +7,7 @@ from exactsweep.words import suggest
 
 
 class UnknownNameError(ExactSweepError):
-    """A name that does not exist; the message suggests one that does."""
+    """An unknown name; the message suggests a similar one."""
 
 
 def require_known(name: str, names: Collection[str], thing: str) -> str:

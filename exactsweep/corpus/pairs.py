@@ -1,4 +1,4 @@
-"""The user's pairs of polygons as cases, with computed answers."""
+"""Pairs of polygons in files as cases with computed answers."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ from exactsweep.words import suggest
 
 
 class _PairForm(NamedTuple):
-    """The members of a JSON document with a pair: D, G, and further ones."""
+    """The members of a JSON document with a pair: D, G, and others."""
 
     stays: str
     moves: str
@@ -60,15 +60,15 @@ def read_pairs(path: str, tolerance: object = None, **options: Unpack[Options]) 
     """Read pairs of polygons as cases.
 
     Args:
-        path: of a file, or "-" for standard input. Either lines of JSON, each a case or a pair as
-            for `read_case`, or one such object over several lines; or polygons in any format of
-            `parse_regions`, each of which moves around each, itself included.
+        path: a file, or "-" for standard input. It has lines of JSON as for `read_case`, one such
+            object over several lines, or polygons in any format of `parse_regions`, of which all
+            ordered pairs are cases.
         tolerance: as for `parse_regions`.
         options: likewise.
 
     Yields:
-        Cases; the ids are those of the lines, or "pair-NUMBER" by line; or the two names or
-        indices, D first, as in "plate/disc".
+        Cases with the ids of the lines, or "pair-NUMBER" by line, or the two names or indices of
+        polygons, D first, as in "plate/disc".
 
     Raises:
         ValueError: the file is unreadable, or `sweep` rejects a pair; the message names the file
@@ -87,16 +87,15 @@ def read_case(name: str) -> Case:
 
     Args:
         name: the path of a file, "-" for standard input, or the id of a shipped or generated case.
-            The file holds a case in the format of `case_from_json`, the --json output of `sweep`,
-            `nfp`, `ifp` or `sum`, or an object with "directrix", "generatrix" and optional members
-            of a case. A polygon is any JSON of `parse_region`. Answers in a pair are computed
-            again.
+            The file has a case as for `case_from_json`, the --json output of `sweep`, `nfp`, `ifp`
+            or `sum`, or an object with "directrix", "generatrix" and optional members of a case,
+            polygons as for `parse_region`.
 
     Returns:
-        The Case; the id of a pair without "id" is the name of the file.
+        The Case; its default id is the name of the file.
 
     Raises:
-        ValueError: anything else; the message names the file.
+        ValueError: the file has no case; the message names the file.
     """
     if name != "-" and not Path(name).exists():
         return find_case(name)
@@ -127,7 +126,7 @@ def _read(
 
 
 def _is_pair(text: str | bytes) -> bool:
-    """Decide whether a text looks like a pair, whether valid or not."""
+    """Decide whether a text looks like a pair, valid or not."""
     try:
         document = json.loads(text)
     except (ValueError, RecursionError):
@@ -138,7 +137,7 @@ def _is_pair(text: str | bytes) -> bool:
 
 
 def _read_document(text: str, name: str) -> Case:
-    """Read a case, or a pair, whose id is the name if it has none."""
+    """Read a case or a pair with a default id."""
     document = parse_json(text)
     if not isinstance(document, dict):
         raise FormatError(f"$ is {describe_kind(document)}, not an object")
@@ -172,7 +171,7 @@ def _make_pair(document: dict[str, object], name: str) -> Case:
 
 
 def _read_shape(document: dict[str, object], role: str) -> PointRings:
-    """Read a polygon with its holes, its own or those of the member ROLE_holes."""
+    """Read a polygon with its own holes, or those of the member ROLE_holes."""
     given = document[role]
     if isinstance(given, dict) and "path" in given:
         raise FormatError(f"$.{role}: a case cannot have a path, only polygons")
@@ -215,7 +214,7 @@ def _read_rings(candidate: Candidate, name: str) -> PointRings:
 
 
 def _name(candidates: Sequence[Candidate]) -> list[tuple[str, PointRings]]:
-    """Read polygons, named by their ids if these are distinct, or else by their indices."""
+    """Read polygons, named by their ids if these are distinct, else by their indices."""
     names = [candidate.name or "" for candidate in candidates]
     if "" in names or len(set(names)) < len(names):
         names = [str(k) for k in range(len(candidates))]

@@ -16,13 +16,13 @@ class PathCase(NamedTuple):
     """A shape, a path, and their exact Minkowski sum.
 
     Attributes:
-        id: the name of the case; it never changes its meaning.
-        title: one line for people.
+        id: the name of the case, whose meaning never changes.
+        title: a description in one line.
         shape: a Region.
         path: a Polyline.
         sum: a Region.
-        data: the case as JSON data: "shape" and "expected" have "exterior" and "holes", "path" has
-            "points" and "closed"; numbers are strings.
+        data: the case as JSON data: "shape" and "expected" have "exterior" and "holes", and "path"
+            has "points" and "closed"; numbers are strings.
         note: the purpose of the case.
     """
 
@@ -55,7 +55,7 @@ def path_cases() -> Iterator[PathCase]:
 
 @tells_arguments
 def find_path_case(id: str) -> PathCase:
-    """Return the shipped sum of this id, or raise UnknownNameError.
+    """Find a shipped sum by its id, or raise UnknownNameError.
 
     Example:
         >>> find_path_case("paths-loop").sum.holes

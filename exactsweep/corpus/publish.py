@@ -1,4 +1,4 @@
-"""The whole corpus as one folder of data, for programs in any language."""
+"""The corpus as a folder of data for programs in any language."""
 
 import json
 from collections.abc import Iterator
@@ -16,20 +16,13 @@ _ANSWERED = (
     *("id", "class", "directrix", "directrix_holes", "generatrix", "generatrix_holes"),
     *("reference", "expected"),
 )
-"""The members of a case that are digested: the question and the answers."""
+"""The digested members of a case: the question and the answers."""
 
 
 def write_corpus(folder: Path) -> int:
-    """Write all shipped cases, and what programs need to read them without this package.
+    """Write all shipped cases, instructions and readers; return the number of files.
 
-    There are cases by theme as JSON lines, the schema, notes on flags, instructions, the changelog,
-    the licence, readers in six languages, and checksums.
-
-    Args:
-        folder: the folder; existing files of these names are replaced.
-
-    Returns:
-        The number of files.
+    Existing files are replaced.
 
     Raises:
         OSError: a file cannot be written.
@@ -47,7 +40,7 @@ def write_corpus(folder: Path) -> int:
 def digest_release(version: int) -> str:
     """Return the SHA-256 of all questions and answers up to a version, for `release/versions.json`.
 
-    It is that of lines of JSON without blanks, sorted by id, with the members _ANSWERED, sorted.
+    It covers lines of JSON without spaces, sorted by id, with the members `_ANSWERED`, sorted.
     """
     lines = sorted(
         json.dumps(

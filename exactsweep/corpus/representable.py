@@ -1,4 +1,4 @@
-"""The number types that represent given numbers without rounding."""
+"""Number types that represent given numbers exactly."""
 
 from collections.abc import Collection
 from fractions import Fraction
@@ -8,15 +8,14 @@ NUMBER_TYPES = (*INTEGER_BITS, "binary64")
 
 
 def find_types(values: Collection[Fraction], scale: int) -> frozenset[str]:
-    """Name the number types that represent numbers exactly.
+    """List the number types that represent numbers exactly.
 
     Args:
         values: the numbers.
-        scale: a positive int by which they are multiplied for the integer types.
+        scale: a positive factor for the integer types.
 
     Returns:
-        Some of "int32" and "int64" (two's complement), for the numbers times the scale, and
-        "binary64", subnormal numbers included.
+        Some of "int32" and "int64", for the scaled numbers, and "binary64".
 
     Example:
         >>> sorted(find_types([Fraction(1, 3)], 3)), sorted(find_types([Fraction(1, 3)], 2))
@@ -39,7 +38,7 @@ def find_types(values: Collection[Fraction], scale: int) -> frozenset[str]:
 
 
 def is_in_range(value: Fraction | int, bits: int) -> bool:
-    """Decide whether a signed integer type of some bits has the range of a number.
+    """Decide whether a number is in the range of signed integers of some bits.
 
     >>> is_in_range(-(2**31), 32), is_in_range(2**31 - 1, 32), is_in_range(2**31, 32)
     (True, True, False)
@@ -50,7 +49,7 @@ def is_in_range(value: Fraction | int, bits: int) -> bool:
 def _is_binary64(value: Fraction) -> bool:
     if value.denominator == 1 and abs(value.numerator) <= 2**53:
         return True
-    # Division of ints rounds correctly; a value that is unchanged was not rounded.
+    # Division of ints rounds correctly.
     try:
         return Fraction(value.numerator / value.denominator) == value
     except OverflowError:

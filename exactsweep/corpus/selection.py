@@ -24,10 +24,10 @@ class SelectionError(ExactSweepError):
 def read_filters(filters: Iterable[str]) -> dict[str, Any]:
     """Read filters id=PREFIX, flag=FLAG, class=CC, size=MOST as arguments of `cases` and `select`.
 
-    Of several prefixes or classes, a case matches one; of flags, all.
+    A case matches any of the prefixes and classes, and all flags.
 
     Raises:
-        SelectionError: anything else.
+        SelectionError: a filter is unknown or invalid.
 
     Example:
         >>> read_filters(["flag=exact-fit", "size=20"])
@@ -59,7 +59,7 @@ def select(
     kind: str | Iterable[str] | None = None,
     max_size: int | None = None,
 ) -> Iterator[Case]:
-    """Filter cases, with the arguments of `cases`."""
+    """Filter cases by the arguments of `cases`."""
     prefixes, kinds, wanted = to_names(prefix), to_names(KINDS if kind is None else kind), {*flags}
     for case in cases:
         if (
@@ -72,7 +72,7 @@ def select(
 
 
 def require_distinct(cases: Iterable[Case]) -> Iterator[Case]:
-    """Yield cases, and raise SelectionError at an id that occurs twice."""
+    """Yield cases; raise SelectionError for a repeated id."""
     seen = set()
     for case in cases:
         if case.id in seen:
@@ -94,7 +94,7 @@ def read_cases(path: str) -> Iterator[Case]:
 
 
 def read_lines(file: BinaryIO, path: str, read: Callable[[int, str], Case]) -> Iterator[Case]:
-    """Yield a case for each line that is not blank; `read` gets its number and text.
+    """Yield a case for each line that is not blank; `read` takes its number and text.
 
     Raises:
         FormatError: a line is no case; the message names the path and the line.

@@ -1,4 +1,4 @@
-"""The cases that come with the package, one file per theme, read on demand."""
+"""The shipped cases, one file per theme, read on demand."""
 
 import json
 import lzma
@@ -17,9 +17,9 @@ from exactsweep.numbers.error import tells_arguments
 
 @tells_arguments
 def themes() -> dict[str, str]:
-    """Return the themes, in order, each with its title.
+    """List the themes with their titles.
 
-    Every case's id starts with the name of its theme and a hyphen.
+    The id of a case starts with the name of its theme and a hyphen.
 
     Example:
         >>> themes()["fits"]
@@ -39,10 +39,10 @@ def cases(
     """Yield the shipped cases, theme by theme.
 
     Args:
-        prefix: the beginning of the id, or several; the name of a theme and a hyphen select it.
-        flags: the flags that a case must have.
-        kind: "CC", "CM", "MM" or "SS", or several of these.
-        max_size: the maximum number of vertices of D and G together.
+        prefix: one or several beginnings of ids, such as the name of a theme and a hyphen.
+        flags: the required flags.
+        kind: one or several of "CC", "CM", "MM" and "SS".
+        max_size: the maximum number of vertices of D and G.
 
     Raises:
         UnknownNameError: a flag or class does not exist.
@@ -64,7 +64,7 @@ class Summary(NamedTuple):
 
 
 def list_summaries(**filters: Any) -> Iterator[Summary]:
-    """Yield the summaries of cases, with the filters of `cases`.
+    """Yield the summaries of cases by the filters of `cases`.
 
     Example:
         >>> next(list_summaries(prefix="fits-")).title
@@ -82,7 +82,7 @@ def _match(
 ) -> Iterator[dict[str, Any]]:
     prefixes, kinds = to_names(prefix), to_names(KINDS if kind is None else kind)
     if not isinstance(max_size, int | None):
-        raise TypeError  # now, not at the first case
+        raise TypeError
     wanted = {require_known(flag, notes(), "flag") for flag in flags}
     for one in kinds:
         require_known(one, KINDS, "class")
@@ -96,7 +96,7 @@ def _match(
 
 
 def to_names(given: str | Iterable[str]) -> tuple[str, ...]:
-    """Return one name or several as a tuple; raise TypeError if one is no str.
+    """Make a tuple of one or several names; raise TypeError if one is no str.
 
     >>> to_names("CC"), to_names(["CC", "CM"])
     (('CC',), ('CC', 'CM'))
@@ -113,7 +113,7 @@ def _size(data: dict[str, Any]) -> int:
 
 
 def find_shipped_case(id: str) -> Case:
-    """Return the shipped case of this id, or raise UnknownNameError.
+    """Find a shipped case by its id, or raise UnknownNameError.
 
     Example:
         >>> find_shipped_case("figures-10-2-4-6").title
@@ -124,7 +124,7 @@ def find_shipped_case(id: str) -> Case:
 
 
 def list_ids() -> list[str]:
-    """Return the ids of the shipped cases, in order."""
+    """List the ids of the shipped cases."""
     return [data["id"] for data in _entries(("",))]
 
 
@@ -134,7 +134,7 @@ def read_schema() -> str:
 
 
 def require_start(name: str, *others: str) -> str:
-    """Return a beginning of ids, or raise UnknownNameError with a suggestion."""
+    """Return the beginning of some id, or raise UnknownNameError with a suggestion."""
     ids = list_ids()
     if not any(id.startswith(name) for id in ids):
         require_known(name, [*others, *themes(), *ids], "theme or case")
@@ -169,7 +169,7 @@ def read_theme(folder: Traversable, name: str) -> str:
 
 @tells_arguments
 def find_case(id: str) -> Case:
-    """Return the shipped or generated case of this id, or raise UnknownNameError.
+    """Find a shipped or generated case by its id, or raise UnknownNameError.
 
     Example:
         >>> find_case("gen-convex-1-0").kind
@@ -187,7 +187,7 @@ class Note(NamedTuple):
 
 @cache
 def notes() -> dict[str, Note]:
-    """Return the note on each flag, by name.
+    """Read the notes on flags.
 
     Example:
         >>> notes()["rounded-answer"].meaning

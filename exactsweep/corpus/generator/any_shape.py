@@ -1,7 +1,6 @@
 """Families of shapes of any kind: caves, holes, and parts that fit into each other.
 
-Most are sets of squares, which often fit each other, or random polygons on small grids. Each family
-draws a pair; `place` shears, scales and moves both polygons.
+Most shapes are sets of squares, which often fit each other, or random polygons on small grids.
 """
 
 from collections.abc import Callable, Sequence
@@ -58,7 +57,7 @@ def jigsaw_pair(random: Prng) -> Regions:
 
 
 def mould_pair(random: Prng) -> Regions:
-    """A block with the part cut out of it, closed all round or open to a side."""
+    """A block with the part cut out of it, closed or open to one side."""
     part = _draw_clump(random, 7)
     low = [min(cell[k] for cell in part) for k in (0, 1)]
     inside = move(part, (random.between(0, 1) - low[0], random.between(0, 1) - low[1]))
@@ -106,17 +105,17 @@ def rings_pair(random: Prng) -> Regions:
 
 
 def stars_pair(random: Prng) -> Regions:
-    """Two star-shaped polygons, with spikes and notches all round."""
+    """Two star-shaped polygons with spikes and notches."""
     return _draw_star(random), _draw_star(random)
 
 
 def tangles_pair(random: Prng) -> Regions:
-    """Two random simple polygons on a grid of 9."""
+    """Two random simple polygons on a 9 by 9 grid."""
     return Region(_draw_untangled(random, 12, 9)), Region(_draw_untangled(random, 12, 9))
 
 
 def plate_pair(random: Prng) -> Regions:
-    """A plate with holes, some of the shape of the part, and some as wide as it."""
+    """A plate with holes, some as wide as the part or of its shape."""
     part = _draw_untangled(random, 6, 4)
     low, high = part.bounding_box
     width, height = (int(c) + 1 for c in (high.x - low.x, high.y - low.y))
@@ -149,7 +148,7 @@ def container_pair(random: Prng) -> Regions:
 
 
 def combs_pair(random: Prng) -> Regions:
-    """Teeth and gaps, often of one width, facing each other."""
+    """Teeth and gaps that face each other, often of equal width."""
 
     def comb() -> set[Cell]:
         cells: set[Cell] = set()

@@ -1,4 +1,4 @@
-"""Sets of unit squares, which often touch and fit each other, and their shapes."""
+"""Sets of unit squares, and their shapes."""
 
 from collections import defaultdict
 from collections.abc import Iterable, Sequence
@@ -14,28 +14,28 @@ SIDES = ((1, 0), (0, 1), (-1, 0), (0, -1))
 
 
 def build_block(width: int, height: int, x: int = 0, y: int = 0) -> set[Cell]:
-    """The squares of a rectangle, from its lower left corner on."""
+    """List the squares of a rectangle by its lower left corner."""
     return {(x + i, y + j) for i in range(width) for j in range(height)}
 
 
 def build_frame(width: int, height: int) -> set[Cell]:
-    """The squares along the border of a rectangle."""
+    """List the squares along the border of a rectangle."""
     return build_block(width, height) - build_block(width - 2, height - 2, 1, 1)
 
 
 def list_neighbours(cell: Cell) -> list[Cell]:
-    """The four neighbours of a square."""
+    """List the four neighbours of a square."""
     return [(cell[0] + dx, cell[1] + dy) for dx, dy in SIDES]
 
 
 def around(cells: Iterable[Cell]) -> list[Cell]:
-    """The neighbours of a set of squares, sorted."""
+    """List the neighbours of a set of squares, sorted."""
     own = set(cells)
     return sorted({near for cell in own for near in list_neighbours(cell)} - own)
 
 
 def grow(choices: Iterable[int]) -> frozenset[Cell]:
-    """Make a connected set of squares: each choice adds one of the neighbours.
+    """Make a connected set of squares by adding neighbours.
 
     >>> sorted(grow([0, 5]))
     [(-1, 0), (0, 0), (1, 0)]
@@ -48,7 +48,7 @@ def grow(choices: Iterable[int]) -> frozenset[Cell]:
 
 
 def connect(cells: Iterable[Cell]) -> set[Cell]:
-    """Keep those squares that are connected to the least one, edge by edge."""
+    """Keep the squares that are connected to the least one by edges."""
     given = set(cells)
     found, left = {min(given)}, [min(given)]
     while left:
@@ -59,17 +59,14 @@ def connect(cells: Iterable[Cell]) -> set[Cell]:
 
 
 def move(cells: Iterable[Cell], by: Sequence[int]) -> set[Cell]:
-    """Move squares."""
+    """Translate squares."""
     return {(x + by[0], y + by[1]) for x, y in cells}
 
 
 def trace_outline(cells: Iterable[Cell]) -> Region:
-    """Return the shape of a connected set of squares.
+    """Return the shape of a connected set of squares; rings may touch at corners.
 
-    Where two squares meet only in a corner, the walk continues along the other square. So a shape
-    that touches itself becomes rings that touch.
-
-    Cost: linear, and that of `Region`.
+    Cost: linear, plus that of `Region`.
 
     Example:
         >>> trace_outline(build_frame(3, 3))
@@ -98,7 +95,7 @@ def trace_outline(cells: Iterable[Cell]) -> Region:
             right = (q[0] + q[1] - p[1], q[1] - q[0] + p[0])
             p, q = q, right if right in ahead[q] else ahead[q][0]
         rings.append(Polygon(ring))
-    # No hole is as wide as the exterior.
+    # The exterior is the widest ring.
     exterior = min(rings, key=lambda ring: ring.vertices)
     return Region(exterior, [ring for ring in rings if ring is not exterior])
 

@@ -22,11 +22,11 @@ class Family(NamedTuple):
     """A family of generated pairs.
 
     Attributes:
-        name: as on the command line.
-        level: the kind of difficulty: "easy", "degenerate", "numeric", "large" or "any shape".
-        make: draws generatrix and directrix, as lists of pairs of numbers or as Regions.
-        flags: flags of all its cases in addition to those of `find_facts`.
-        respelled: whether the vertices stay as generated, not canonical.
+        name: the name on the command line.
+        level: "easy", "degenerate", "numeric", "large" or "any shape".
+        make: draws a generatrix and a directrix, as lists of pairs of numbers or as Regions.
+        flags: additional flags of all cases.
+        respelled: whether the vertices stay as generated instead of canonical.
     """
 
     name: str
@@ -42,7 +42,7 @@ class Family(NamedTuple):
 
     @property
     def summary(self) -> str:
-        """The description of its pairs, in one line."""
+        """The first line of the description."""
         return self.description.partition("\n")[0]
 
 
@@ -60,7 +60,7 @@ LEVELS = {
         "polyominoes jigsaw mould cave spiral rings stars tangles plate container combs",
     ),
 }
-"""The families by level; the function of a family has its name."""
+"""The families by level."""
 FLAGS = {
     "tangent": "tangent",
     "slivers": "sliver",
@@ -84,13 +84,12 @@ FAMILIES: dict[str, Family] = {family.name: family for family in _list_families(
 def generate(family: str, seed: int, count: int | None = None) -> Iterator[Case]:
     """Yield the cases of a family.
 
-    A case depends only on the family, the seed and its number, counted from 0; the random numbers
-    are those of `exactsweep.corpus.generator.prng`, seeded with "FAMILY:SEED:NUMBER".
+    A case depends only on the family, the seed and its number, counted from 0.
 
     Args:
         family: a name in `FAMILIES`.
         seed: an int from 0 to 10**18 - 1.
-        count: the number of cases; None for no end.
+        count: the number of cases; None for infinitely many.
 
     Raises:
         UnknownNameError: the family does not exist.
@@ -110,7 +109,7 @@ def generate(family: str, seed: int, count: int | None = None) -> Iterator[Case]
 
 
 def generate_case(id: str) -> Case:
-    """Make the generated case of an id gen-FAMILY-SEED-NUMBER, or raise UnknownNameError.
+    """Make the case with an id gen-FAMILY-SEED-NUMBER, or raise UnknownNameError.
 
     Example:
         >>> generate_case("gen-fits-7-1") == list(generate("fits", 7, 2))[1]

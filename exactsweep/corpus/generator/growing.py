@@ -1,8 +1,8 @@
-"""Named families of pairs on which the counts of the ledger are based.
+"""Named families of pairs for the counts of the ledger.
 
 A seeded family takes (m, n, seed), m and n even, and returns a generatrix of n and a directrix of m
-vertices, as counter-clockwise lists of pairs of ints. The only source of randomness is
-`random.Random`, whose integers are the same on all platforms.
+vertices as counter-clockwise lists of pairs of ints. `random.Random` has the same integers on all
+platforms.
 """
 
 from __future__ import annotations
@@ -43,7 +43,7 @@ def zigzag(n: int, random: Random, step: int = 1000, height: int = 1000) -> Ring
 
 
 def comb(m: int, width: int, depth: int) -> Ring:
-    """An X-monotone polygon of m vertices with deep teeth, `width` apart, on both sides."""
+    """An X-monotone polygon of m vertices with deep teeth at distance `width` on both sides."""
     half = m // 2 - 1
     bottom = [(width * k, -depth if k % 2 else 0) for k in range(1, half + 1)]
     top = [(x, 2 * depth - y) for x, y in bottom]
@@ -66,7 +66,7 @@ def cm(m: int, n: int, seed: int = 0) -> tuple[Ring, Ring]:
 
 
 def cm_hard(m: int, n: int, seed: int = 0) -> tuple[Ring, Ring]:
-    """Teeth so deep that G turns wholly about each: a trajectory of Theta(m n) edges."""
+    """Teeth so deep that G moves around each of them: a trajectory of Theta(m n) edges."""
     random = Random(f"cm_hard {m} {n} {seed}")
     generatrix = convex(n, random, 100)
     width = max(x for x, _ in generatrix)
@@ -82,23 +82,23 @@ def cm_undercut(m: int, n: int, seed: int = 0) -> tuple[Ring, Ring]:
 
 
 def mm(m: int, n: int, seed: int = 0) -> tuple[Ring, Ring]:
-    """Two random zigzags of the same step."""
+    """Two random zigzags with equal steps."""
     random = Random(f"mm {m} {n} {seed}")
     return zigzag(n, random), zigzag(m, random)
 
 
 def figure10(m: int, n: int, seed: int = 0) -> tuple[Ring, Ring]:
-    """The `bumps` that have m and n vertices (both even): an outer loop of Theta(m n^2) edges."""
+    """The `bumps` with m and n vertices, both even: an outer loop of Theta(m n^2) edges."""
     n_t = 2 * (n // 4)
     return bumps(m - 2, n_t, n - n_t)
 
 
 def needles(m: int, n: int) -> tuple[Ring, Ring]:
-    """An inner loop of order m n^2: needles in D_b, nearly as far apart as G is wide.
+    """An inner loop of order m n^2: needles in D_b at distances of nearly the width of G.
 
     D_b has about m / 3 needles under a high ceiling, and G_t has `inner_peaks(n)` peaks. All
-    differences of the places of a peak and a valley are different ints, and stay so if some of them
-    are shifted by the distance of two needles: see the proof at Lemma 5.5.
+    differences of x between a peak and a valley are distinct ints, also after shifting some of them
+    by the distance of two needles: see the proof of Lemma 5.5.
     """
     peaks = inner_peaks(n)
     pitch = 2 * peaks + 2
@@ -121,7 +121,7 @@ def inner_peaks(n: int) -> int:
 
 
 def edges_over_needles(m: int, n: int) -> int:
-    """Edges that the inner boundary of `needles` has at least, by the proof at Lemma 5.5.
+    """Return a lower bound on the edges of the inner boundary of `needles`, by Lemma 5.5.
 
     >>> edges_over_needles(31, 22)
     1602
@@ -131,10 +131,10 @@ def edges_over_needles(m: int, n: int) -> int:
 
 
 def ceilings(m: int, n: int) -> tuple[Ring, Ring]:
-    """An inner loop of order m n^2 undercuts: `needles` under ceilings that the peaks just reach.
+    """An inner loop of order m n^2 undercuts: `needles` under ceilings that the peaks just touch.
 
-    Between two needles G touches the ceiling in `inner_peaks(n)` (`inner_peaks(n)` - 1) places, and
-    in no other: see the proof at "Number of undercuts, MM".
+    Between two needles, G touches the ceiling at `inner_peaks(n)` (`inner_peaks(n)` - 1) positions:
+    see the proof of "Number of undercuts, MM".
     """
     generatrix, directrix = needles(m, n)
     high = max(y for _, y in generatrix)
@@ -143,7 +143,7 @@ def ceilings(m: int, n: int) -> tuple[Ring, Ring]:
 
 
 def undercuts_under_ceilings(m: int, n: int) -> int:
-    """Undercuts that the lower sweep of `ceilings` has, by the same proof.
+    """Count the undercuts of the lower sweep of `ceilings`, by the same proof.
 
     >>> undercuts_under_ceilings(7, 16), undercuts_under_ceilings(13, 32)
     (43, 633)
@@ -153,14 +153,14 @@ def undercuts_under_ceilings(m: int, n: int) -> int:
 
 
 def wide(m: int, n: int, seed: int = 0) -> tuple[Ring, Ring]:
-    """A convex generatrix that is wider than all of a random zigzag."""
+    """A convex generatrix wider than a random zigzag."""
     random = Random(f"wide {m} {n} {seed}")
     generatrix = convex(n, random, 100)
     return [(m * x, m * y) for x, y in generatrix], zigzag(m, random, 10, 10)
 
 
 def bowls(m: int, n: int, seed: int = 0) -> tuple[Ring, Ring]:
-    """A convex generatrix below four bowls: D_b has four convex parts of about m / 4 edges each."""
+    """A convex generatrix below four bowls: D_b has four convex chains of about m / 4 edges."""
     random = Random(f"bowls {m} {n} {seed}")
     ends = [i * (m - 2) // 4 for i in range(5)]
     arcs = [(j - i, k) for i, j in pairwise(ends) for k in range(j - i)]
@@ -185,9 +185,9 @@ def rim(m: int, n: int) -> tuple[Ring, Ring]:
 def bumps(m_b: int, n_t: int, n_b: int) -> tuple[Ring, Ring]:
     """The pair of Figure 10: m_b / 2 teeth in D_b, n_t / 2 peaks in G_t, a round tip in G_b.
 
-    Each peak passes under each tooth at a place of its own, and every time G_b draws its tip, which
-    has n_b - 2 flat edges between steep flanks: the outer boundary of the lower sweep has
-    m_b n_t n_b / 4 + 4 edges, 16 for (2, 4, 6). m_b, n_t and n_b are even.
+    Each peak passes each tooth at a distinct position, where the tip of G_b, n_b - 2 flat edges
+    between steep flanks, adds to the outer boundary of the lower sweep. It has m_b n_t n_b / 4 + 4
+    edges, 16 for (2, 4, 6). m_b, n_t and n_b are even.
     """
     flat = n_b - 2
     pitch = 2 * flat + 2
@@ -203,7 +203,7 @@ def bumps(m_b: int, n_t: int, n_b: int) -> tuple[Ring, Ring]:
 
 
 def edges_of_bumps(m_b: int, n_t: int, n_b: int) -> int:
-    """Edges of the outer boundary of `bumps`: the tips, their flanks, and two edges at each end.
+    """Count the edges of the outer boundary of `bumps`: tips, flanks, and two edges at each end.
 
     >>> edges_of_bumps(2, 4, 6)
     16
@@ -212,7 +212,7 @@ def edges_of_bumps(m_b: int, n_t: int, n_b: int) -> int:
 
 
 def printed_count(m_b: int, n_t: int, n_b: int) -> int:
-    """The paper's formula for the same number.
+    """Compute the paper's formula for the same number.
 
     >>> printed_count(2, 4, 6), printed_count(4, 4, 6)
     (16, 26)
@@ -221,10 +221,10 @@ def printed_count(m_b: int, n_t: int, n_b: int) -> int:
 
 
 def forks(m: int, n: int) -> tuple[Ring, Ring]:
-    """A no-fit polygon of order (m n)^2 holes: forks with spikes down and spikes to the right.
+    """A no-fit polygon of order (m n)^2 holes: forks with spikes down and to the right.
 
-    D has m / 6 - 1 spikes in each direction, and -G has n / 6 - 1, m / 6 - 1 times as far apart;
-    "Size of a no-fit polygon" has the proof. m and n are multiples of 6, at least 18.
+    D has m / 6 - 1 spikes in each direction, and -G has n / 6 - 1 at distances larger by the factor
+    m / 6 - 1; "Size of a no-fit polygon" has the proof. m and n are multiples of 6, at least 18.
 
     >>> forks(18, 18)[1][:4]
     [(-1, -120), (0, -120), (0, -117), (48, -116)]

@@ -10,15 +10,14 @@ from exactsweep.corpus.generator.shapes import Grid, draw_convex, draw_monotone
 
 
 def lower_bound_pair(random: Prng) -> RingPair:
-    """Figure 10's pair, sheared; or a comb around which a convex polygon turns at every tooth."""
+    """The sheared pair of Figure 10, or a comb whose teeth a convex polygon follows."""
     if random.chance(1, 2):
         sizes = random.choice([(2, 4, 6), (2, 6, 6), (4, 4, 6), (2, 4, 8), (4, 4, 4), (4, 6, 4)])
         slope = random.between(-3, 3)
         return [[(x, y + slope * x) for x, y in ring] for ring in bumps(*sizes)]
     generatrix = draw_convex(random, 12, 40)
     width = max(x for x, _ in generatrix) - min(x for x, _ in generatrix)
-    # If the gaps are wider than G, its trajectory follows each tooth; if narrower, G rests on two
-    # teeth.
+    # In wide gaps G follows each tooth; above narrow gaps it rests on two teeth.
     share = random.choice([1, 2, 5])
     return generatrix, comb(4 * random.between(2, 5), max(1, 2 * width // share), 100 * width)
 
@@ -30,10 +29,7 @@ def long_pair(random: Prng) -> RingPair:
 
 
 def unequal_pair(random: Prng) -> RationalRings:
-    """A pair of the family "grid" or "monotone", G being a million to 10**12 times the size of D.
-
-    Or as much smaller.
-    """
+    """A pair of the family "grid" or "monotone", one polygon 10**6 to 10**12 times the other."""
     rings = random.choice([grid_pair, monotone_pair])(random)
     ratio = Fraction(10) ** (random.between(6, 12) * random.choice([1, -1]))
     generatrix = [(x * ratio, y * ratio) for x, y in rings[0]]

@@ -24,8 +24,8 @@ RationalRings = Sequence[Rationals]
 def rounded_crossings_pair(random: Prng) -> RingPair:
     """Steep edges over coprime widths: the answer is not on the grid.
 
-    Crossings have denominators of about 7 digits. On the steepest edges, rounding their x to an
-    integer takes them off the edge by thousands in y.
+    Crossings have denominators of about 7 digits. Rounding their x to an integer changes y by
+    thousands on the steepest edges.
     """
     grid = Grid(cells=(2, 6), widths=(997, 1009, 1013, 2003, 3), height=100_003, pointed=5)
     directrix = draw_monotone(random, grid)
@@ -35,20 +35,20 @@ def rounded_crossings_pair(random: Prng) -> RingPair:
 
 
 def near_parallel_pair(random: Prng) -> RingPair:
-    """Slopes that differ by one part in 10**15, in both polygons; all within 2**53."""
+    """Slopes that differ by one part in 10**15 in both polygons; coordinates within 2**53."""
     return _ripple(random), _ripple(random)
 
 
 def near_fits_pair(random: Prng) -> RingPair:
-    """A pair of the family "fits", up to 2**48 times larger, its walls moved by one or not at all.
+    """A pair of the family "fits", up to 2**48 times larger, with some walls moved by one.
 
-    Slots are then wider or narrower than G, or as wide, by one part in 2**48.
+    Slots are as wide as G, or wider or narrower by one part in 2**48.
     """
     return _perturb(random, fits_pair(random))
 
 
 def perturbed_pair(random: Prng) -> RingPair:
-    """A pair of the family "grid", up to 2**48 times larger, its vertices moved by one or not."""
+    """A pair of the family "grid", up to 2**48 times larger, with some vertices moved by one."""
     return _perturb(random, grid_pair(random))
 
 
@@ -65,25 +65,25 @@ def slivers_pair(random: Prng) -> RingPair:
 
 
 def int32_edge_pair(random: Prng) -> RingPair:
-    """Coordinates from -2**31 to 2**31 - 1, both ends included."""
+    """Coordinates from -2**31 to 2**31 - 1, both included."""
     return _full_range(random, 31), _full_range(random, 31)
 
 
 def int64_edge_pair(random: Prng) -> RingPair:
-    """Coordinates from -2**63 to 2**63 - 1, both ends included."""
+    """Coordinates from -2**63 to 2**63 - 1, both included."""
     return _full_range(random, 63), _full_range(random, 63)
 
 
 def far_pair(random: Prng) -> RingPair:
-    """A small pair, each polygon moved by up to 2**52: only the last digits matter."""
+    """A small pair, each polygon translated by up to 2**52: only the last digits matter."""
     rings = random.choice([grid_pair, monotone_pair, fits_pair])(random)
     return [_move(random, ring, 2**52) for ring in rings]
 
 
 def binary64_edge_pair(random: Prng) -> RationalRings:
-    """A small pair times a power of two: from multiples of the least binary64 to near the greatest.
+    """A small pair times a power of two, from the least binary64 to near the greatest.
 
-    At times one of the family "perturbed", whose coordinates take all 53 bits.
+    Some pairs are from the family "perturbed", whose coordinates have 53 bits.
     """
     exponent = random.choice([-1074, -1060, -1022, -540, -300, 300, 480, 960, 1010])
     make = random.choice([grid_pair, monotone_pair, fits_pair, perturbed_pair])
@@ -93,7 +93,7 @@ def binary64_edge_pair(random: Prng) -> RationalRings:
 
 
 def fractions_pair(random: Prng) -> RationalRings:
-    """Coordinates with small denominators; or with some up to a million that share few factors."""
+    """Coordinates with small denominators, or with some up to a million that share few factors."""
     most = random.choice([9, 10**6])
     return [_fractional(random, ring, most) for ring in monotone_pair(random)]
 
@@ -118,7 +118,7 @@ def _perturb(random: Prng, rings: RingPair) -> RingPair:
 
 
 def _nudge(random: Prng, ring: Ring, scale: int) -> Ring:
-    # All vertices of one x move alike, so vertical edges stay vertical and the ring monotone.
+    # Vertices with equal x stay together, so the ring stays monotone.
     aside = {x: random.between(-1, 1) for x in sorted({x for x, _ in ring})}
     return [(scale * x + aside[x], scale * y + random.between(-1, 1)) for x, y in ring]
 
@@ -147,7 +147,7 @@ def _move(random: Prng, ring: Ring, most: int) -> Ring:
 
 
 def _fractional(random: Prng, ring: Ring, most: int) -> Rationals:
-    # All vertices of one x move alike, and by less than half the distance to the next x.
+    # Vertices with equal x stay together, and keep their order.
     def share() -> Fraction:
         denominator = random.between(3, most)
         return Fraction(random.between(0, (denominator - 1) // 3), denominator)

@@ -1,4 +1,4 @@
-"""Families of generic pairs, and families where features coincide."""
+"""Families of generic and of degenerate pairs."""
 
 from collections.abc import Sequence
 
@@ -19,7 +19,7 @@ RingPair = Sequence[Ring]
 """A generatrix and a directrix."""
 
 TINY_GRID = Grid(cells=(1, 5), widths=(1, 1, 1, 2), height=2, walls=2)
-# Rows of invertible integer matrices; one of them reverses orientation.
+# Invertible integer matrices by rows; one reverses the orientation.
 MATRICES = [
     ((0, -1), (1, 0)),
     ((1, 1), (0, 1)),
@@ -32,24 +32,24 @@ MATRICES = [
 
 
 def convex_pair(random: Prng) -> RingPair:
-    """Two convex polygons with corners on a grid of 100."""
+    """Two convex polygons on a 100 by 100 grid."""
     return draw_convex(random, 12, 100), draw_convex(random, 12, 100)
 
 
 def notched_pair(random: Prng) -> RingPair:
-    """A convex polygon around a monotone one, on a grid of 20."""
+    """A convex polygon around a monotone one on a 20 by 20 grid."""
     grid = Grid(cells=(2, 7), widths=(3, 5, 8), height=20, walls=1)
     return draw_convex(random, 8, random.choice([6, 12])), draw_monotone(random, grid)
 
 
 def monotone_pair(random: Prng) -> RingPair:
-    """Two monotone polygons, on a grid of 20."""
+    """Two monotone polygons on a 20 by 20 grid."""
     grid = Grid(cells=(2, 6), widths=(3, 5, 8), height=20, walls=1)
     return draw_monotone(random, grid), draw_monotone(random, grid)
 
 
 def grid_pair(random: Prng) -> RingPair:
-    """Two polygons on a grid of 3, most of whose edges are parallel, collinear or equal."""
+    """Two polygons on a 3 by 3 grid; most edges are parallel, collinear or equal."""
     directrix = _on_grid(random)
     chosen = random.between(0, 7)
     if chosen == 0:
@@ -60,14 +60,14 @@ def grid_pair(random: Prng) -> RingPair:
 
 
 def rectilinear_pair(random: Prng) -> RingPair:
-    """Two polygons of horizontal and vertical edges, with slots and teeth of few widths."""
+    """Two rectilinear polygons with slots and teeth of few widths."""
     widths = random.choice([(1,), (1, 2), (2, 3)])
     generatrix = draw_rectilinear(random, (1, 4), widths, 2)
     return generatrix, draw_rectilinear(random, (2, 7), widths, 3)
 
 
 def fits_pair(random: Prng) -> RingPair:
-    """A block with slots as wide as G or a part of it, of equal, greater or less depth."""
+    """A block with slots as wide as G or a part of it, as deep, deeper or less deep."""
     widths = [random.between(1, 3) for _ in range(random.between(1, 3))]
     heights = [random.between(1, 4) for _ in widths]
     generatrix = build_columns(widths, heights)
@@ -84,7 +84,7 @@ def fits_pair(random: Prng) -> RingPair:
 
 
 def equal_slopes_pair(random: Prng) -> RingPair:
-    """Teeth of two slopes, up and down, in both: parallel edges everywhere."""
+    """Teeth with the same two slopes in both polygons, which have many parallel edges."""
     depth = random.choice([1, 3, 1000])
     steps = [(1, depth), (1, -depth), (1, depth), (1, -depth), (2, 2 * depth), (2, 0)]
 
@@ -98,12 +98,12 @@ def equal_slopes_pair(random: Prng) -> RingPair:
 
 
 def tangent_pair(random: Prng) -> RingPair:
-    """D's bottom is moulded over G's top in several places: G touches it in many points."""
+    """The bottom of D is moulded over the top of G in several places: many points of contact."""
     width = random.between(2, 6)
     top = [random.between(0, 4) for _ in range(width + 1)]
     places = [(random.between(0, 5), random.between(-1, 1)) for _ in range(random.between(2, 4))]
     length = max(x for x, _ in places) + width
-    # Between two integers the mould is straight, and G below it: a maximum is convex there.
+    # Between two integers the mould is straight and above G.
     mould = []
     for x in range(length + 1):
         under = [top[x - at] + rise for at, rise in places if 0 <= x - at <= width]
@@ -116,7 +116,7 @@ def tangent_pair(random: Prng) -> RingPair:
 def turned_pair(random: Prng) -> RingPair:
     """A pair of the family "grid", "monotone" or "fits", mapped by an integer matrix.
 
-    It is then usually not monotone in X.
+    It is usually not x-monotone.
     """
     rings = random.choice([grid_pair, monotone_pair, fits_pair])(random)
     (a, b), (c, d) = random.choice(MATRICES)
@@ -124,9 +124,9 @@ def turned_pair(random: Prng) -> RingPair:
 
 
 def respelled_pair(random: Prng) -> RingPair:
-    """A pair of the family "grid", doubled, with collinear and repeated vertices, clockwise or not.
+    """A pair of the family "grid", doubled, with collinear and repeated vertices.
 
-    Any vertex may be the first.
+    The rings have either orientation and start at any vertex.
     """
     return [_respell(random, ring) for ring in grid_pair(random)]
 

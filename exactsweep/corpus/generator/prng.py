@@ -1,4 +1,4 @@
-"""Random numbers that are the same in every version of every language: SplitMix64.
+"""SplitMix64: random numbers that are the same in all languages.
 
 The state is 64 bits, s. Each draw sets s to s + 0x9E3779B97F4A7C15 and returns z, where
 
@@ -21,10 +21,7 @@ _MASK = 2**64 - 1
 
 
 class Prng:
-    """A stream of random numbers.
-
-    Args:
-        seed: any text.
+    """A stream of random numbers for any seed text.
 
     Example:
         >>> random = Prng("a seed")
@@ -46,8 +43,8 @@ class Prng:
     def between(self, low: int, high: int) -> int:
         """Draw an int, from low to high inclusive, all equally likely.
 
-        As many draws of 64 bits as hold high - low make one number, the first draw the most
-        significant. A number in the incomplete last multiple of the range is drawn again.
+        Draws of 64 bits, the most significant first, form a number; it is drawn again in the
+        incomplete last multiple of the range.
         """
         span = high - low + 1
         if span < 1:
@@ -62,7 +59,7 @@ class Prng:
                 return low + drawn % span
 
     def choice(self, items: Sequence[_T]) -> _T:
-        """Draw one of several items, all equally likely."""
+        """Draw one of several equally likely items."""
         return items[self.between(0, len(items) - 1)]
 
     def chance(self, share: int, total: int) -> bool:

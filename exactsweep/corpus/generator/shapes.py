@@ -1,7 +1,4 @@
-"""Random rings with integer coordinates: convex, or weakly monotone in X.
-
-All are counter-clockwise, simple by construction, and not closed.
-"""
+"""Random simple rings with integer coordinates, convex or weakly x-monotone, counter-clockwise."""
 
 from collections.abc import Iterable, Sequence
 from itertools import accumulate, combinations
@@ -19,10 +16,10 @@ class Grid(NamedTuple):
 
     Attributes:
         cells: the least and the greatest number of cells of each chain.
-        widths: the widths that a cell may have.
-        height: vertices of each chain lie on heights from 0 to this.
-        walls: the probability, in eighths, of a vertical edge between cells.
-        pointed: the probability, in eighths, that an end is a point, not a vertical edge.
+        widths: the possible widths of a cell.
+        height: the maximum y of each chain; the minimum is 0.
+        walls: the probability of a vertical edge between cells, in eighths.
+        pointed: the probability of a point instead of a vertical edge at an end, in eighths.
     """
 
     cells: tuple[int, int]
@@ -36,7 +33,7 @@ P = TypeVar("P", bound=tuple[Any, Any])
 
 
 def draw_convex(random: Prng, most: int, side: int) -> Ring:
-    """The hull of at most `most` random points of a square grid."""
+    """Draw the hull of at most `most` random points of a square grid."""
     points = [
         (random.between(0, side), random.between(0, side)) for _ in range(random.between(3, most))
     ]
@@ -47,12 +44,12 @@ def draw_convex(random: Prng, most: int, side: int) -> Ring:
 def walk(
     steps: Iterable[tuple[Any, Any]], start: tuple[Any, Any] = (0, 0)
 ) -> list[tuple[Any, Any]]:
-    """The points that steps reach, from the origin or another start."""
+    """List the points reached by steps from the origin or another start."""
     return list(accumulate(steps, lambda p, step: (p[0] + step[0], p[1] + step[1]), initial=start))
 
 
 def draw_monotone(random: Prng, grid: Grid) -> Ring:
-    """A bottom and a top chain with independent breakpoints."""
+    """Draw a bottom and a top chain with independent breakpoints."""
     bottom, top = _chain(random, grid), _chain(random, grid)
     return close_between(random, bottom, top, grid.pointed)
 
@@ -71,7 +68,7 @@ def _chain(random: Prng, grid: Grid) -> Ring:
 def draw_rectilinear(
     random: Prng, cells: tuple[int, int], widths: Sequence[int], height: int
 ) -> Ring:
-    """Horizontal and vertical edges only."""
+    """Draw a rectilinear ring."""
 
     def chain() -> Ring:
         widths_drawn = [random.choice(widths) for _ in range(random.between(*cells))]
@@ -82,13 +79,13 @@ def draw_rectilinear(
 
 
 def build_columns(widths: Sequence[int], heights: Sequence[int]) -> Ring:
-    """The upper side of columns, from left to right, from x = 0 on."""
+    """List the upper side of columns from left to right, from x = 0."""
     xs = [x for x, _ in walk((width, 0) for width in widths)]
     return [(x, y) for k, y in enumerate(heights) for x in xs[k : k + 2]]
 
 
 def close_between(random: Prng, bottom: Ring, top: Ring, pointed: int = 3) -> Ring:
-    """The ring between two chains from x = 0 to the right, the top one raised to be disjoint."""
+    """Join two chains to a ring, and raise the top one until they are disjoint."""
     last = max(bottom[-1][0], top[-1][0])
     bottom, top = (
         chain if chain[-1][0] == last else [*chain, (last, chain[0][1])] for chain in (bottom, top)
@@ -97,7 +94,7 @@ def close_between(random: Prng, bottom: Ring, top: Ring, pointed: int = 3) -> Ri
     unit = max(1, last // 8)
     tips: list[Ring] = []
     for x, low, high in (last + unit, bottom[-1], top[-1]), (-unit, bottom[0], top[0]):
-        # A tip may be above or below both chains' ends, not only between them.
+        # A tip may be above or below the ends of both chains.
         y = random.between(low[1] - 1, high[1] + lift + 1)
         tips.append([(x, y)] if random.chance(pointed, 8) else [])
     right, left = tips
@@ -105,14 +102,12 @@ def close_between(random: Prng, bottom: Ring, top: Ring, pointed: int = 3) -> Ri
 
 
 def turn_half(ring: Ring) -> Ring:
-    """The ring reflected in the origin."""
+    """Reflect a ring in the origin."""
     return [(-x, -y) for x, y in ring]
 
 
 def untangle(points: Iterable[IntegerPoint]) -> Ring:
-    """Order points on a closed path without crossing edges, by reversing parts (2-opt).
-
-    Each reversal shortens the path, so the search ends. Edges may still touch each other.
+    """Order points on a closed path without crossing edges by 2-opt; edges may still touch.
 
     >>> untangle([(0, 0), (2, 2), (2, 0), (0, 2)])
     [(0, 0), (2, 0), (2, 2), (0, 2)]
@@ -125,7 +120,7 @@ def untangle(points: Iterable[IntegerPoint]) -> Ring:
 
 
 def _find_crossing(ring: Ring) -> IntegerPoint | None:
-    """Two edges that cross, by their first vertices, if there are any."""
+    """Find two edges that cross, by their first vertices."""
     for i, j in combinations(range(len(ring)), 2):
         a, b, p, q = ring[i], ring[i + 1], ring[j], ring[(j + 1) % len(ring)]
         if (
