@@ -121,10 +121,7 @@ def read_number(value: object, path: str) -> Fraction:
 
 @tells_arguments
 def read_certificate(path: str) -> object:
-    """Read a certificate for `exactsweep.check.verify` from a file.
-
-    Args:
-        path: a path, or "-" for standard input.
+    """Read a certificate for `exactsweep.check.verify` from a file, or from standard input for "-".
 
     Raises:
         FormatError: an unreadable file, or not JSON; the message names the file.

@@ -41,15 +41,10 @@ class Listing(NamedTuple):
 
 
 def find_files(path: str) -> list[str]:
-    """Find the files of a path, folder or pattern.
+    """Find the files of a path, folder or pattern such as `parts/*.dxf`, sorted.
 
-    Args:
-        path: a file, "-", a folder, or a pattern such as `parts/*.dxf`; `**` matches any folders.
-            An existing file has priority over a pattern.
-
-    Returns:
-        For a folder, the files in it and below with a suffix of ENDINGS, without hidden ones; for a
-        pattern, the matching files; both sorted. Otherwise the path itself.
+    An existing file has priority over a pattern; `**` matches any folders. Of a folder, these are
+    the files in it and below with a suffix of ENDINGS, without hidden ones.
 
     Raises:
         FormatError: no such files.

@@ -102,9 +102,7 @@ def _read_one(node: JsonNode) -> Candidate:
     for hole in holes:
         hole.entries("a list of vertices")
     readers = ((ring.path, partial(read_vertices, *ring)) for ring in (exterior, *holes))
-    if "error" not in value:
-        return Candidate.of_rings(readers, path, name)
-    bound = (node / "error").fraction
+    bound = node.get("error", "0").fraction
     if bound < 0:
         raise FormatError(f"{path}.error is negative")
     return Candidate.of_rings(readers, path, name, error=bound)

@@ -138,9 +138,9 @@ def _read_json(text: str, reading: Reading) -> Sequence[Candidate]:
         parts = read_parts(document, reading)
         if parts is not None:
             return parts
-    rows = document if isinstance(document, list) else None
-    if isinstance(document, dict):
-        (rows,) = [*document.values()] if len(document) == 1 else [None]
+    rows = document
+    if isinstance(document, dict) and len(document) == 1:
+        (rows,) = document.values()
     if isinstance(rows, list) and rows and isinstance(rows[0], dict):
         is_flat = not any(isinstance(value, list | dict) for value in rows[0].values())
         refuse_placements([*rows[0]] if is_flat else [], "the first entry")

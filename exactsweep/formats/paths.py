@@ -15,23 +15,18 @@ _LINES = ("LineString", "Point")
 def parse_path(
     text: str, *, is_list: bool = False, reading: Reading | None = None
 ) -> Polyline | None:
-    """Read a path, if a text is one.
+    """Read a path, if a text is one; return None for any other text.
 
     Args:
         text: a WKT LINESTRING or POINT; a GeoJSON LineString or Point, or a Feature of one; an SVG
             document of one open path of straight segments without a fill; or a JSON list of one or
-            two points. Numbers are exact, as for `parse_polygons`.
+            two points.
         is_list: whether a JSON list of more points, or a filled or closed path of SVG, is a path,
             too, and not a polygon.
         reading: the settings for SVG.
 
-    Returns:
-        A Polyline; None for any other text. A path that ends where it begins is closed.
-
     Raises:
         FormatError: a path with an error; the message starts with its place.
-
-    Cost: linear.
 
     Example:
         >>> print(parse_path("LINESTRING (0 0, 0.5 0)"), "and", parse_path('[[0, 0], ["1/2", 0]]'))
