@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from fractions import Fraction
-from itertools import chain
+from itertools import chain, product
 from math import ceil, lcm
 from typing import Any
 
@@ -73,7 +73,8 @@ def claim_layout(c: Any) -> CoqClaim:
 
     Raises:
         TheoremError: a valid layout has a rotation that is not allowed, or a rounded container
-            other than a disc; two parts have one id; or a rounded piece is not convex.
+            with a smaller radius than the errors, radii and margin of its parts; two parts have one
+            id; or a rounded piece is not convex.
     """
     found = _LayoutTerms(c)
     return _valid(found, c["proof"]) if c["valid"] is True else _faulty(found, c["faults"])
@@ -94,8 +95,11 @@ def _faulty(found: _LayoutTerms, faults: Any) -> CoqClaim:
 def _valid(found: _LayoutTerms, proof: Any) -> CoqClaim:
     if not all(move.is_allowed for move in found.moves):
         raise TheoremError("a placement has a rotation that is not allowed")
-    if found.sheet and found.sheet.rounded and len(found.sheet.points()) != 1:
-        raise TheoremError("a rounded container other than a disc has no theorem")
+    sheet = found.sheet or Figure([], [], Fraction(0))
+    for (points, radius), body in product(sheet.rounded, found.placed):
+        least = max((r for _, r in body.rounded), default=Fraction(0)) + body.error
+        if len(points) > 1 and radius < least + found.gaps["margin"] + sheet.error:
+            raise TheoremError("a container with a smaller radius than its parts need")
     cut = [_pieces(e) for e in proof["pieces"]]
     outside, *cut_obstacles = map(_pieces, proof["outside"])
     pieces = [[move_ring(m.motion, ring) for ring in cut[m.kind]] for m in found.moves]

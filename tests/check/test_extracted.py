@@ -210,6 +210,20 @@ def test_dropped_conditions_of_the_extracted_checker_change_answers() -> None:
 
 @needs_tools
 @pytest.mark.long
+def test_rounded_containers_have_room_for_parts_near_their_hull() -> None:
+    tray = {"points": [["0", "0"], ["9", "0"], ["9", "6"], ["0", "6"]], "radius": "2"}
+    square = {"id": "a", "exterior": [["0", "0"], ["4", "0"], ["4", "4"], ["0", "4"]]}
+    answers = []
+    for x, margin in (("-1", "0"), ("-3/2", "0"), ("-3/2", "1/2"), ("-1", "1/2")):
+        layout = {"container": {"pieces": [tray]}, "parts": [square], "margin": margin}
+        placements = [{"part": "a", "move": [x, "-1"]}]
+        judged = judge_layout(Layout.from_json({**layout, "placements": placements}))
+        answers.append((judged.valid, ask(json.loads(json.dumps(judged.certificate())))))
+    assert answers == [(valid, "accepted") for valid in (True, True, False, True)]
+
+
+@needs_tools
+@pytest.mark.long
 def test_malformed_lines_are_not_accepted() -> None:
     true = small_certificates()["no_fit"]
     assert accept([true, None, {}, {**true, "holes": 3}, {**true, "exact_fits": [[]]}, true]) == [

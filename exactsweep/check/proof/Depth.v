@@ -1,7 +1,7 @@
 (* Points deep in a figure or far from it: all points of a disc around them are in it, or off it. *)
 Require Import QArith Lqa ZArith Lia List Bool.
 From Exactsweep Require Statements.
-From Exactsweep Require Import Scaling HalfOpen Nearby Boundary SumPoints PiecePoints Covers Near Disc.
+From Exactsweep Require Import Scaling HalfOpen Nearby Boundary SumPoints PiecePoints Covers Near.
 Import ListNotations.
 Open Scope Q_scope.
 

@@ -1,7 +1,7 @@
 (* Faults, proved by one or two points, whatever the true shapes are; and `valid` for shapes that are known exactly. *)
 Require Import QArith Lqa ZArith Lia List Bool.
 From Exactsweep Require Statements.
-From Exactsweep Require Import HalfOpen Boundary SumPoints Covers Near Disc Depth Layout.
+From Exactsweep Require Import HalfOpen Boundary SumPoints Covers Near Depth Hull Layout.
 Import ListNotations.
 Open Scope Q_scope.
 
@@ -56,7 +56,6 @@ Proof.
 Qed.
 
 (* Faults.  A point is deeper than d in a figure or its complement, or belongs to it. *)
-Definition near_hull (r : Q) (ps : list qpoint) (z : qpoint) : bool := existsb (fun q => Qle_bool (Statements.dist2 q z) (r * r)) (hull_points ps z).
 Definition deep (d : Q) (f : Statements.figure) (z : qpoint) : bool :=
   (Statements.winding (Statements.outline f) z =? 1)%Z && far_edges d (Statements.outline f) z ||
   existsb (fun p => Qle_bool 0 (snd p) && (inner d (fst p) z || Statements.less d (snd p) &&
@@ -110,11 +109,6 @@ Definition check_faults (l : Statements.layout) (fs : list Statements.fault) (at
   match fs with [] => false | _ => true end && (length fs =? length at_)%nat &&
   forallb (fun x => check_fault l (fst x) (fst (snd x)) (snd (snd x))) (combine fs at_).
 
-Lemma near_hull_spec r ps z : 0 <= r -> near_hull r ps z = true -> Statements.within r (Statements.hull ps) z.
-Proof.
-  intros R H d D F. apply existsb_exists in H as (q & I & H). apply Qle_bool_iff in H. specialize (F q (hull_points_in ps z q I)).
-  pose proof (sq_lt r d R D). lra.
-Qed.
 Lemma near_disc c z d (P : qpoint -> Prop) : 0 <= d -> d < c -> (forall y, Statements.dist2 y z <= c * c -> P y) ->
   exists h, 0 < h /\ forall y, Statements.dist2 y z <= h * h -> forall w, Statements.dist2 w y <= (d + h) * (d + h) -> P w.
 Proof.

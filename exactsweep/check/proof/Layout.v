@@ -2,7 +2,7 @@
 Require Import QArith Lqa ZArith Lia List Bool.
 From Exactsweep Require Import Cancel Constant Fans Pieces Solid Gaps Scaling.
 From Exactsweep Require Statements.
-From Exactsweep Require Import HalfOpen Nearby Boundary SumPoints PiecePoints Covers Spans Sums Pairs Near Disc.
+From Exactsweep Require Import HalfOpen Nearby Boundary SumPoints PiecePoints Covers Spans Sums Pairs Near Depth Hull.
 Import ListNotations.
 Open Scope Z_scope.
 
@@ -86,15 +86,15 @@ Definition is_solid_figure (x : Statements.figure * list ring) : bool :=
   | _, ps, _ => simple_solid {| rings := int_rings D rs; pieces := ps |}
   end.
 
-(* The sheet: d is the margin.  A disc contains a piece if all its vertices are near enough to the center. *)
-Definition in_disc (d : Z) (p : pt) (radius : Z) (x : item) : bool :=
+(* The sheet: d is the margin.  A rounded sheet contains a piece if all its vertices are near enough to the hull. *)
+Definition in_rounded (d : Z) (ps : list qpoint) (radius : Z) (x : item) : bool :=
   forallb (fun q => let room := radius - snd q - reach x - d in
-    (0 <=? room) && forallb (fun v => (fst v - fst p) * (fst v - fst p) + (snd v - snd p) * (snd v - snd p) <=? room * room) (fst q)) (parts x).
+    (0 <=? room) && forallb (fun v => near_hull (room # denominator c) ps (qpt (denominator c) v)) (fst q)) (parts x).
 Definition check_sheet (f : Statements.figure) (d : Z) (l : list (nat * item)) : bool :=
   let rs := Statements.outline f in let e := int D (Statements.error f) in
   is_amount D (Statements.error f) &&
   match rs, Statements.rounded f with
-  | [], [([p], r)] => all_integral D [[p]] && is_amount D r && forallb (fun x => in_disc (d + e) (int_point D p) (int D r) (snd x)) l
+  | [], [(p :: ps, r)] => is_amount D r && forallb (fun x => in_rounded (d + e) (p :: ps) (int D r) (snd x)) l
   | _, [] =>
       let '(x0, y0, x1, y1) := frame c in let out := make_item (map (fun p => (p, 0)) (outside_pieces c)) e in
       (x0 <? x1) && (y0 <? y1) && all_integral D rs && forallb is_fan (outside_pieces c) &&
@@ -454,56 +454,33 @@ Qed.
 (* A part that keeps a distance from the complement of the sheet *)
 Definition is_kept (d : Z) (f : Statements.figure) (x : item) : Prop :=
   forall s (S U : qpoint -> Prop), s == d # N -> (forall z, S z -> in_some (regions N x) z) -> Statements.outside_of f U -> Statements.keeps s S U.
-Lemma core_ball p q (r : Z) y : (forall v, In v p -> (fst v - fst q) * (fst v - fst q) + (snd v - snd q) * (snd v - snd q) <= r * r)%Z ->
-  core N p y -> Statements.dist2 y (qpt N q) <= (r # N) * (r # N).
+Lemma core_along p y n : core N p y -> exists v, In v p /\ along n y <= along n (qpt N v).
 Proof.
-  intros B C. set (u := fst y - fst (qpt N q)). set (w := snd y - snd (qpt N q)).
-  destruct (at_common u w 0 0) as (k & a & b & _ & _ & K & A & A' & _). unfold at_ in A, A'.
+  intro C. destruct (at_common (fst n) (snd n) 0 0) as (k & a & b & _ & _ & K & A & A' & _). unfold at_ in A, A'.
   assert (K0 : 0 < inject_Z k) by (apply inject_pos, K).
   assert (G : exists v, In v p /\ forall v', In v' p -> (dot (a, b) v' <= dot (a, b) v)%Z).
   { destruct p as [|v0 p]; [exfalso|exact (greatest (dot (a, b)) v0 p)]. pose proof (C (0, 0)%Z (-1)%Z (fun v H => match H with end)) as H.
     unfold along, qnormal in H. cbn [fst snd] in H. assert (E : inject_Z 0 * fst y + inject_Z 0 * snd y == 0) by (change (inject_Z 0) with 0; ring).
     rewrite E in H. unfold Qle in H. cbn in H. lia. }
-  destruct G as (v & V & M). pose proof (C (a, b) (dot (a, b) v) M) as H. specialize (B v V).
+  destruct G as (v & V & M). exists v. split; [exact V|]. pose proof (C (a, b) (dot (a, b) v) M) as H.
   assert (F : (dot (a, b) v # N) == inject_Z a * (fst v # N) + inject_Z b * (snd v # N)).
   { unfold dot. cbn [fst snd]. rewrite frac_plus. unfold Qeq, Qplus, Qmult, inject_Z. cbn [Qnum Qden]. rewrite ?Pos.mul_1_l, ?Pos2Z.inj_mul. ring. }
-  rewrite F in H. unfold along, qnormal in H. cbn [fst snd] in H. rewrite <- A, <- A' in H.
-  assert (H' : u * fst y + w * snd y <= u * (fst v # N) + w * (snd v # N)).
-  { apply (Qmult_le_r _ _ (inject_Z k)); [exact K0|]. lra. }
-  set (i := (fst v # N) - fst (qpt N q)). set (j := (snd v # N) - snd (qpt N q)).
-  assert (Bq : i * i + j * j <= (r # N) * (r # N)).
-  { assert (Ei : i == (fst v - fst q # N)) by (unfold i, qpt; cbn [fst snd]; unfold Z.sub; rewrite frac_plus; unfold Qeq, Qminus, Qplus, Qopp; cbn [Qnum Qden]; ring).
-    assert (Ej : j == (snd v - snd q # N)) by (unfold j, qpt; cbn [fst snd]; unfold Z.sub; rewrite frac_plus; unfold Qeq, Qminus, Qplus, Qopp; cbn [Qnum Qden]; ring).
-    rewrite Ei, Ej. unfold Qle, Qplus, Qmult. cbn [Qnum Qden]. rewrite !Pos2Z.inj_mul.
-    apply Z.mul_le_mono_nonneg_r with (p := (Zpos N * Zpos N * Zpos N * Zpos N)%Z) in B; nia. }
-  assert (E : Statements.dist2 y (qpt N q) == u * u + w * w) by (unfold Statements.dist2, u, w; ring). rewrite E.
-  assert (H2 : u * u + w * w <= u * i + w * j) by (unfold u, w, i, j in *; lra).
-  pose proof (sq_nonneg (u - i)). pose proof (sq_nonneg (w - j)).
-  assert (E1 : (u - i) * (u - i) == u * u + i * i - 2 * (u * i)) by ring. assert (E2 : (w - j) * (w - j) == w * w + j * j - 2 * (w * j)) by ring. lra.
+  rewrite F in H. unfold along, qnormal, qpt in *. cbn [fst snd] in *. rewrite <- A, <- A' in H. apply (Qmult_le_r _ _ (inject_Z k)); [exact K0|]. lra.
 Qed.
-Lemma disc_keeps e (p : Statements.point) r x d : (0 <= d)%Z -> is_amount (Zpos N) e = true -> all_integral (Zpos N) [[p]] = true ->
-  is_amount (Zpos N) r = true -> sound x -> parts x <> [] ->
-  in_disc (d + int (Zpos N) e) (int_point (Zpos N) p) (int (Zpos N) r) x = true ->
-  is_kept d {| Statements.outline := []; Statements.rounded := [([p], r)]; Statements.error := e |} x.
+Lemma rounded_keeps e ps r x d : (0 <= d)%Z -> is_amount (Zpos N) e = true -> ps <> [] ->
+  is_amount (Zpos N) r = true -> sound x -> parts x <> [] -> in_rounded c (d + int (Zpos N) e) ps (int (Zpos N) r) x = true ->
+  is_kept d {| Statements.outline := []; Statements.rounded := [(ps, r)]; Statements.error := e |} x.
 Proof.
   intros D0 Ae Ip Ar Sx Ne H s S U Es Cov K. pose proof Sx as (R0 & _ & Rp). destruct (amount_spec N _ Ae) as (E0 & E1). destruct (amount_spec N _ Ar) as (Q0 & Q1).
-  unfold in_disc in H. rewrite forallb_forall in H. cbn [Statements.error] in *.
-  unfold all_integral in Ip. cbn [forallb] in Ip. rewrite !andb_true_r in Ip. apply andb_prop in Ip as (I1 & I2).
-  assert (Pe : fst (qpt N (int_point (Zpos N) p)) == fst p /\ snd (qpt N (int_point (Zpos N) p)) == snd p).
-  { apply int_at in I1, I2. unfold at_ in I1, I2. assert (P : 0 < inject_Z (Zpos N)) by (apply inject_pos; reflexivity).
-    unfold qpt, int_point. cbn [fst snd]. split; apply (Qmult_inj_r _ _ (inject_Z (Zpos N))); try lra; [rewrite I1|rewrite I2];
-      unfold Qeq, Qmult, inject_Z; cbn [Qnum Qden]; rewrite !Pos.mul_1_r; ring. }
-  assert (Dp : forall y, Statements.dist2 y (qpt N (int_point (Zpos N) p)) == Statements.dist2 y p).
-  { intro y. unfold Statements.dist2. rewrite (proj1 Pe), (proj2 Pe). reflexivity. }
+  unfold in_rounded in H. rewrite forallb_forall in H. cbn [Statements.error] in *.
   assert (Room : forall q, In q (parts x) -> (0 <= int (Zpos N) r - snd q - reach x - (d + int (Zpos N) e))%Z /\
-    forall v, In v (fst q) -> ((fst v - fst (int_point (Zpos N) p)) * (fst v - fst (int_point (Zpos N) p)) + (snd v - snd (int_point (Zpos N) p)) * (snd v - snd (int_point (Zpos N) p)) <=
-      (int (Zpos N) r - snd q - reach x - (d + int (Zpos N) e)) * (int (Zpos N) r - snd q - reach x - (d + int (Zpos N) e)))%Z).
+    forall v, In v (fst q) -> near_hull (int (Zpos N) r - snd q - reach x - (d + int (Zpos N) e) # N) ps (qpt N v) = true).
   { intros q Iq. specialize (H q Iq). cbv zeta in H. apply andb_prop in H as (H1 & H2). apply Z.leb_le in H1. split; [exact H1|].
-    rewrite forallb_forall in H2. intros v V. apply Z.leb_le, H2, V. }
-  apply (keeps_ball s r e p (regions N x) S (fun z => ~ Statements.drawn {| Statements.outline := []; Statements.rounded := [([p], r)]; Statements.error := e |} z) U).
+    rewrite forallb_forall in H2. exact H2. }
+  apply (keeps_hull s r e ps (regions N x) S (fun z => ~ Statements.drawn {| Statements.outline := []; Statements.rounded := [(ps, r)]; Statements.error := e |} z) U).
   - rewrite Es. apply frac_nonneg, D0.
   - rewrite E1. apply frac_nonneg, E0.
-  - destruct (parts x) as [|q ps] eqn:Px; [congruence|]. destruct (Room q (or_introl eq_refl)) as (L & _).
+  - destruct (parts x) as [|q qs] eqn:Px; [congruence|]. destruct (Room q (or_introl eq_refl)) as (L & _).
     specialize (Rp q (or_introl eq_refl)).
     assert (X : (d # N) + (int (Zpos N) e # N) <= (int (Zpos N) r # N)) by (rewrite <- frac_plus; apply frac_le; lia). lra.
   - exact Cov.
@@ -512,11 +489,10 @@ Proof.
     destruct (Room q Iq) as (L & B). exists (int (Zpos N) r - snd q - reach x - (d + int (Zpos N) e) # N). split; [apply frac_nonneg, L|]. split.
     + assert (X : (int (Zpos N) r - snd q - reach x - (d + int (Zpos N) e) # N) + ((reach x # N) + (snd q # N)) + (d # N) + (int (Zpos N) e # N) <= (int (Zpos N) r # N))
         by (rewrite <- !frac_plus; apply frac_le; lia). lra.
-    + intros y Y. rewrite <- Dp. exact (core_ball _ _ _ y B Y).
-  - intros y Ny. destruct (Qlt_le_dec (r * r) (Statements.dist2 y p)) as [|L]; [assumption|exfalso]. apply Ny. right. exists ([p], r).
-    split; [left; reflexivity|]. cbn [fst snd]. intros t T F. specialize (F p). 
-    assert (Hp : Statements.hull [p] p) by (intros a b k X; apply X; left; reflexivity). specialize (F Hp).
-    assert (R1 : 0 <= r) by (rewrite Q1; apply frac_nonneg, Q0). pose proof (sq_lt r t R1 T). rewrite dist2_sym in F. lra.
+    + intros y Y. apply (within_hull ps (map (qpt N) (fst q))); [exact Ip|apply frac_nonneg, L| |].
+      * intros v V. apply in_map_iff in V as (w & <- & W). exact (near_hull_point _ _ _ (B w W)).
+      * intro n. destruct (core_along (fst q) y n Y) as (v & V & G). exists (qpt N v). split; [exact (in_map (qpt N) _ _ V)|exact G].
+  - intros y Ny W. apply Ny. right. exists (ps, r). split; [left; reflexivity|exact W].
   - exact K.
 Qed.
 Lemma rings_keep f x d : (0 <= d)%Z -> Statements.rounded f = [] -> sound x -> forall normals',
@@ -574,9 +550,9 @@ Proof.
   { intros Ro H'. apply (rings_keep f x d D0 Ro Sx (fun a b => outside_normals (-1) a i b)). cbv zeta. destruct (frame c) as [[[x0 y0] x1] y1] eqn:Fr.
     apply andb_prop in H' as (H' & W). rewrite forallb_forall in W. specialize (W _ I). cbn [fst snd] in W. rewrite Ae, H', W. reflexivity. }
   destruct f as [rs ro e]. cbn [Statements.outline Statements.rounded Statements.error] in *.
-  destruct rs as [|r0 rs]; [destruct ro as [|[[|p [|]] r] [|]]|destruct ro]; try discriminate; try (apply G; [reflexivity|exact H]).
-  apply andb_prop in H as (H & F). apply andb_prop in H as (Ip & Ar). rewrite forallb_forall in F. specialize (F _ I). cbn [snd] in F.
-  exact (disc_keeps e p r x d D0 Ae Ip Ar Sx Ne F).
+  destruct rs as [|r0 rs]; [destruct ro as [|[[|p ps] r] [|]]|destruct ro]; try discriminate; try (apply G; [reflexivity|exact H]).
+  apply andb_prop in H as (Ar & F). rewrite forallb_forall in F. specialize (F _ I). cbn [snd] in F.
+  exact (rounded_keeps e (p :: ps) r x d D0 Ae ltac:(discriminate) Ar Sx Ne F).
 Qed.
 
 Theorem layout_sound : check_layout normals outside_normals l c = true -> Statements.valid l.

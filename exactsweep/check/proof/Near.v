@@ -166,6 +166,20 @@ Proof.
     pose proof (Th y z Py Pz) as Eq. pose proof (Near c y Y). pose proof (Near u z Z). unfold g in *. lra.
 Qed.
 
+Lemma dist2_nonneg y z : 0 <= Statements.dist2 y z.
+Proof. unfold Statements.dist2. pose proof (sq_nonneg (fst y - fst z)). pose proof (sq_nonneg (snd y - snd z)). lra. Qed.
+Lemma dist2_sym y z : Statements.dist2 y z == Statements.dist2 z y.
+Proof. unfold Statements.dist2. ring. Qed.
+(* A rational number below s whose square is at least x *)
+Lemma root_below x s : 0 <= x -> 0 <= s -> x < s * s -> exists d, 0 <= d < s /\ x <= d * d.
+Proof.
+  intros X S L. assert (Sp : 0 < s). { destruct (Qlt_le_dec 0 s) as [|Z]; [assumption|]. assert (E : s == 0) by lra. rewrite E in L. lra. }
+  set (d := (x + s * s) / (2 * s)). assert (E : d * (2 * s) == x + s * s) by (unfold d; field; lra). exists d. split; [split|].
+  - unfold d. apply Qle_shift_div_l; [lra|]. pose proof (sq_nonneg s). lra.
+  - unfold d. apply Qlt_shift_div_r; lra.
+  - pose proof (sq_nonneg (s - d)) as P. assert (F : (s - d) * (s - d) == s * s + d * d - d * (2 * s)) by ring. lra.
+Qed.
+
 (* Distances from unions and from neighbourhoods *)
 Lemma triangle x y z c d : 0 <= c -> 0 <= d -> Statements.dist2 x y <= c * c -> Statements.dist2 y z <= d * d ->
   Statements.dist2 x z <= (c + d) * (c + d).

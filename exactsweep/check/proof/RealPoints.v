@@ -1,7 +1,7 @@
 (* Why rational points suffice: the claims extend to real points, given by rational approximations. *)
 Require Import QArith Lqa ZArith Lia List Bool.
 From Exactsweep Require Statements.
-From Exactsweep Require Import HalfOpen Scaling Near Disc.
+From Exactsweep Require Import HalfOpen Scaling Near.
 Import ListNotations.
 Open Scope Q_scope.
 

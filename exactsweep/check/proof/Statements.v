@@ -75,7 +75,7 @@ Record part := {
 (* `slack`: 0, or where a rational rotation stands for an irrational one, by how much points may be off. *)
 Record placement := { kind : nat; by_motion : motion; slack : Q }.
 Record layout := {
-  sheet : option figure;                   (* the container: rings with its holes, or a disc; None: no container *)
+  sheet : option figure;                   (* the container: rings with its holes, or a rounded piece; None: no container *)
   obstacles : list (figure * Q);           (* further defects, which may cross its edge, and their distances from parts *)
   kinds : list part; placements : list placement; spacing : Q; margin : Q }.
 Definition no_part : part :=
