@@ -81,6 +81,8 @@ class Reading:
         lines, vertices, copies, copied: the drawn lines of curves, vertices, elements of blocks and
             uses, and their bytes.
         dots: whether dots with round caps are discs, as in layouts.
+        apart: whether the lines of an unfilled path are outlines of their own, nested later with
+            all others.
 
     Raises:
         FormatError: a number that is not positive, or an unknown unit.
@@ -112,7 +114,7 @@ class Reading:
         self.passed: Counter[str] = Counter()
         self.notes: dict[str, None] = {}
         self.lines = self.vertices = self.copies = self.copied = 0
-        self.dots = False
+        self.dots, self.apart = False, bool(nested)
 
     def without_nesting(self) -> Reading:
         """Return the same settings for another reading, without nesting."""

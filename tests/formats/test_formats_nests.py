@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from fractions import Fraction
 from typing import Any
 
 import pytest
@@ -9,6 +10,7 @@ from linear import require_linear
 
 from exactsweep.formats import FormatError
 from exactsweep.formats.layouts import FoundLayout, parse_layouts
+from exactsweep.layout import Layout, judge_layout
 
 PART = '<path d="M0 0H2V2H0z"/>'
 USE = '<use href="#item_0" transform="translate(1 1), rotate(0)"/>'
@@ -163,3 +165,11 @@ def test_artwork_around_a_part_is_doubtful_as_a_hole() -> None:
     assert "--ignore-layer art" in doubt
     inner = cut.replace('"cut"', '"art"')
     assert read(f'<rect id="sheet" width="9" height="9"/>{inner}{art}').unchecked == ()
+
+
+def test_a_nest_in_a_single_unfilled_path_has_its_parts() -> None:
+    lines = "M0 0h9v9h-9z M1 1h3v3h-3z M2 2h1v1h-1z M3.5 1h3v3h-3z"
+    (found,) = parse_layouts(f'<svg><path fill="none" stroke="red" d="{lines}"/></svg>')
+    assert [len(part.get("holes", [])) for part in found.data["parts"]] == [1, 0]
+    (fault,) = judge_layout(Layout.from_json(found.data)).faults
+    assert (fault.kind, fault.depth_squared) == ("overlap", Fraction(1, 4))

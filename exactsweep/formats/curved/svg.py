@@ -193,7 +193,7 @@ def _read(shape: PlacedElement, reading: Reading) -> list[Candidate | OpenLine]:
             # Lines alone have no fill: each is an outline, and those inside others are holes.
             outline = whole._replace(rule=shape.rule)
             lines = [draw_outline(path, outline, reading) for path in closed]
-            drawn += nest_lines(lines) if len(lines) > 1 else lines
+            drawn += lines if reading.apart or len(lines) < 2 else nest_lines(lines)
         if not drawn and not opened:
             raise OrnamentError("its fill rule fills nothing" if closed else _TOO_FEW)
     except ValueError as error:

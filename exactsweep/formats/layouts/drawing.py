@@ -43,7 +43,9 @@ def draw_layouts(
 
     Cost: linear, and that of `nest_outlines`.
     """
-    drawn = parse_by(text, reading.without_nesting())
+    flat = reading.without_nesting()
+    flat.apart = reading.nested is not False
+    drawn = parse_by(text, flat)
     notes = [*drawn.left_out, *drawn.notes]
     notes += [f"skipped: {one.fault}" for one in drawn if one.fault and one.ornament]
     plain = [one for one in drawn if not one.ornament]
