@@ -393,11 +393,10 @@ class Sums:
         self.name, self.scale = name, scale_of(chain(*d, *h))
         self.pieces, self.trees = (d, h), (index(d, self.scale), index(h, self.scale))
         self.d, self.h = ([from_lowest(e, work) for e in of] for of in (d, h))
-        # The sides of a sum, cached:
         self.get = lru_cache(10**5 // max(map(len, chain(d, h, [()]))) + 1)(self.find)
 
     def find(self, k: int) -> list[Edge]:
-        """Return the sides of a sum or a half-plane."""
+        """Return the sides of a sum or a half-plane; `get` caches them."""
         if k >= self.count:
             return [self.beyond[k - self.count]]
         one, other = self.d[k // self.columns], self.h[k % self.columns]
@@ -691,7 +690,10 @@ def is_inside(work: Work, body: Body, p: Point, depth: Rational) -> bool:
 
 
 class Layout:
-    """A layout and its evidence: parts by id; placements, then obstacles, the last one first."""
+    """A layout and its evidence: parts by id, each with its rules and the rotations used; bodies.
+
+    Bodies are placements, then obstacles, the last one first: -1 is the container.
+    """
 
     def __init__(self, c: Any, work: Work) -> None:
         names = f"layout turns valid {HEAD}"
