@@ -17,7 +17,7 @@ HELLO = {
     "numbers": "binary64",
     "reference": "given",
 }
-MOST = 2500
+MOST = 800
 """Pairs of edges; the sum takes time proportional to their square."""
 
 Contour = list[tuple[float, float]]
