@@ -36,7 +36,7 @@ class Times(NamedTuple):
 
 
 def milliseconds(call: Callable[[], object], seconds: float = 0.3) -> list[float]:
-    """Time calls for about some seconds in total, 1 to 100 calls; return the time of each."""
+    """Repeat a call 1 to 100 times for about the given seconds; return the time of each call."""
     times: list[float] = []
     while not times or (len(times) < REPEATS and sum(times) < 1000 * seconds):
         start = process_time()

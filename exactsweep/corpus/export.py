@@ -1,4 +1,4 @@
-"""Cases as WKT, GeoJSON and a sheet of pictures; `case_json` writes JSON."""
+"""Export of cases as WKT, GeoJSON and SVG pictures; `case_json` writes JSON."""
 
 import csv
 import json

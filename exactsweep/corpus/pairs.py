@@ -75,7 +75,7 @@ def read_pairs(path: str, tolerance: object = None, **options: Unpack[Options]) 
             and the line.
     """
     if path == "-":
-        # It is read twice.
+        # The text is parsed twice.
         yield from _read(io.BytesIO(read_text(path).encode()), path, tolerance, **options)
         return
     with open_bytes(path) as file:

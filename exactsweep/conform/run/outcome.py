@@ -79,7 +79,7 @@ class Outcome:
         return max(self.parts, key=lambda part: Verdict(part["verdict"]).severity, default=None)
 
     def lead_with(self, cause: str | None) -> Outcome:
-        """Return the outcome with a given diagnosis first, if it has that one."""
+        """Return the outcome with a given diagnosis first, if the outcome has it."""
         if cause not in self.diagnosis[1:]:
             return self
         first, parts = self.diagnosis[0], []

@@ -20,7 +20,7 @@ from exactsweep.numbers.number import Point
 SECONDS = 10.0
 """Default time limit of an answer, in seconds."""
 MAX_STDERR = 16384
-"""Bytes kept of the end of standard error."""
+"""Maximum number of bytes kept from the end of standard error."""
 _MAX_REASON = 200
 _MOST_ITEMS = 10**6
 

@@ -1,4 +1,4 @@
-"""A program that speaks the protocol as a process."""
+"""Processes that speak the protocol."""
 
 from __future__ import annotations
 

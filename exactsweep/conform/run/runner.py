@@ -94,7 +94,7 @@ def conform(
             NotImplementedError means unsupported.
         cases: the cases.
         name: the name of the program.
-        loops: as for `Hello`; also the next four.
+        loops: as for `Hello`, like the next four.
         numbers: the numbers that the function takes.
         reference: its reference point of G.
         questions: its questions.

@@ -1,4 +1,4 @@
-"""Families of generic and of degenerate pairs."""
+"""Families of generic and degenerate pairs."""
 
 from collections.abc import Sequence
 
@@ -67,7 +67,7 @@ def rectilinear_pair(random: Prng) -> RingPair:
 
 
 def fits_pair(random: Prng) -> RingPair:
-    """A block with slots as wide as G or a part of it, as deep, deeper or less deep."""
+    """A block with slots as wide as G or a part of it, of equal, greater or smaller depth."""
     widths = [random.between(1, 3) for _ in range(random.between(1, 3))]
     heights = [random.between(1, 4) for _ in widths]
     generatrix = build_columns(widths, heights)
