@@ -21,7 +21,6 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from itertools import chain
-from math import lcm
 from typing import NamedTuple
 
 from exactsweep.geometry.canonical import find_doubled_area
@@ -75,9 +74,8 @@ def find_sum(stationary: Rings, moving: Rings, scale: int = 1) -> Free:
     [(0, 0), (1, 0), (3, 1), (3, 2), (2, 2), (0, 1)]
     """
     segments = find_contact_segments(stationary, moving, leave_out_overlapped)
-    (ax, ay), (bx, by) = min(chain.from_iterable(stationary)), min(chain.from_iterable(moving))
     pieces, overlaps = _prepare(segments, [stationary], [moving])
-    free = find_free(pieces, overlaps, scale, _enter(ax + bx, ay + by))
+    free = find_free(pieces, overlaps, scale)
     assert len(free.around) == 1
     return free
 
@@ -181,11 +179,6 @@ def _prepare(
         return False
 
     return cut(segments), overlaps
-
-
-def _enter(x: Rational, y: Rational) -> HomogeneousPoint:
-    w = lcm(x.denominator, y.denominator)
-    return int(x * w), int(y * w), w
 
 
 def _meets(box: tuple[Rational, ...], other: tuple[Rational, ...]) -> bool:

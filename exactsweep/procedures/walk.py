@@ -3,10 +3,6 @@
 (1) Let a piece bound a free region. The next piece of the boundary is the first one counter-
     clockwise from the reverse direction, and no crossing proves that it is in O. So if a walk does
     not close, all of its pieces are in O. If it closes, one test decides the whole loop.
-(2) The least point p of the closure of O is the sum of the least vertices. The loop around all
-    overlap passes through p, and leaves it by the piece that is furthest clockwise. So it needs no
-    test.
-(3) O is open. So the ends of a free piece are free, and a piece that ends in O is in O.
 """
 
 from __future__ import annotations
@@ -46,25 +42,24 @@ def find_free(
     pieces: Pieces,
     overlaps: Test,
     scale: int = 1,
-    least: HomogeneousPoint | None = None,
     *,
     around_overlap: bool = False,
 ) -> Free:
     """Find the loops and the exact fits among pieces of contact segments.
 
-    `overlaps` decides whether a position is in O; all coordinates are divided by the scale; `least`
-    is the least point of the closure of O, if bounded. With `around_overlap`, loops that meet in a
-    point are split so that each bounds one component of O, not one of the free positions.
+    `overlaps` decides whether a position is in O; all coordinates are divided by the scale. With
+    `around_overlap`, loops that meet in a point are split so that each bounds one component of O,
+    not one of the free positions.
 
     Cost: O(k) for k pieces, and one test for each closed walk, for each piece with overlap on both
     sides, and for each meeting.
     """
     overlaps = cache(overlaps)
-    rings = list(_walk_rings(pieces.one_sided, overlaps, least))
+    rings = list(_walk_rings(pieces.one_sided, overlaps))
     if around_overlap:
-        rings = list(_walk_rings([*chain.from_iterable(rings)], lambda _: False, None, min))
+        rings = list(_walk_rings([*chain.from_iterable(rings)], lambda _: False, min))
     bounding = {piece[0] for ring in rings for piece in ring}
-    free = list(_find_free_pieces(pieces, overlaps, bounding))
+    free = [(line, p, q) for line, p, q in pieces.two_sided if not overlaps(_find_middle(p, q))]
     touched = bounding.union(*(piece[1:] for piece in free))
     fits = [(p, p) for p in pieces.meetings - touched if not overlaps(p)]
     found = Free([], [], [])
@@ -82,22 +77,17 @@ def find_free(
 def _walk_rings(
     pieces: Sequence[OneSidedPiece],
     overlaps: Test,
-    least: HomogeneousPoint | None,
     choose: Callable[..., OneSidedPiece] = max,
 ) -> Iterator[PieceRing]:
-    """Trace the boundaries of free regions by (1) and (2); yield simple rings of pieces.
+    """Trace the boundaries of free regions by (1); yield simple rings of pieces.
 
     With `min`, trace the boundaries of overlap, of pieces that all bound it.
     """
     leaving: defaultdict[HomogeneousPoint, list[OneSidedPiece]] = defaultdict(list)
     for piece in pieces:
         leaving[piece[0]].append(piece)
-    if least is not None:
-        # With straight down as the X axis, pieces that leave the least point are sorted by angle.
-        outermost = min(leaving[least], key=lambda piece: angle_key((-piece[3], piece[2])))
-        pieces = [outermost, *pieces]
     done: set[OneSidedPiece] = set()
-    for k, first in enumerate(pieces):
+    for first in pieces:
         path: dict[OneSidedPiece, int] = {}
         following: OneSidedPiece | None = first
         while following is not None and following not in done:
@@ -106,8 +96,7 @@ def _walk_rings(
             following = _follow(following, leaving, choose)
         if following in path:
             ring = list(path)[path[following] :]
-            is_known = least is not None and k == 0
-            if is_known or not overlaps(_find_middle(following[0], following[1])):
+            if not overlaps(_find_middle(following[0], following[1])):
                 yield from split_where_it_touches(ring)
 
 
@@ -155,25 +144,6 @@ def _make_canonical(ring: PieceRing, scale: int) -> tuple[list[Point], bool]:
     if bx * dy > by * dx:
         return points, True
     return [points[0], *points[:0:-1]], False
-
-
-def _find_free_pieces(
-    pieces: Pieces, overlaps: Test, bounding: set[HomogeneousPoint]
-) -> Iterator[TwoSidedPiece]:
-    """Yield the free pieces with overlap on both sides, by (3).
-
-    Pieces in O come in bundles. So after one of them, the ends of the next are tested first.
-    """
-    doubtful = pieces.meetings - bounding
-    in_bundle = False
-    for piece in pieces.two_sided:
-        _, p, q = piece
-        if in_bundle and any(end in doubtful and overlaps(end) for end in (p, q)):
-            continue
-        in_bundle = overlaps(_find_middle(p, q))
-        if not in_bundle:
-            doubtful -= {p, q}
-            yield piece
 
 
 def _join_fits(
