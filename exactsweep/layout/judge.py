@@ -5,9 +5,9 @@ the container; no two interiors meet; any two parts are at least the spacing apa
 least the margin from the boundary of the container and of its defects; demand, turns and mirroring
 obey the rules; and all parts are simple.
 
-A part that was drawn with curves is known within its error, and what is found holds for the curves:
-parts are apart only if their gap is at least the spacing and both errors, they overlap only if a
-point is deeper in both than their errors, and all else is undecided.
+A flattened curve has an error, and the verdict holds for the curve: parts are apart if their gap is
+at least the spacing and both errors, and overlap if a point is deeper in both than their errors;
+all else is undecided.
 """
 
 from __future__ import annotations

@@ -80,8 +80,8 @@ def find_repair(board: Board, placements: Sequence[int], bits: int) -> Point | N
 def find_free_move(board: Board, k: int) -> Point | None:
     """Find the shortest move that frees a placement from all others and the container.
 
-    It is at most half the size of the part in x and y, and longer than the shortest one as by
-    `find_repair`; None if there is none.
+    It is at most half the size of the part in x and y, and exceeds the shortest move as that of
+    `find_repair` does; None if there is none.
 
     Cost: that of `free_positions` with the placed parts that are near.
     """

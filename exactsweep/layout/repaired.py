@@ -1,12 +1,12 @@
 """Layouts repaired by small moves, judged valid before they are returned.
 
 Two convex pieces keep a distance if the difference of their moves is long enough in the direction
-in which they part: a linear condition. Hildreth's method finds the shortest moves that meet the
-conditions of all near pieces, in floats, which decide nothing: the moved layout is judged again,
-and has other conditions. Parts that overlap deeply get the condition of their shortest repair. This
-ends soon if parts have room of the size of the faults, as after rounding. It may not end: a free
-layout nearby need not exist, and finding one is a hard problem. After some rounds, each placement
-with a fault moves to the nearest position free of all neighbours, if there is one.
+that separates them: a linear condition. Hildreth's method finds the shortest moves that satisfy the
+conditions of all near pieces, in floats, which decide nothing: the judge decides on the moved
+layout, and each round adds conditions. Deep overlaps require their shortest repair instead. A few
+rounds suffice if parts have room of the size of the faults, as after rounding; otherwise a valid
+layout nearby need not exist, and finding one is hard. After the last round, each placement with a
+fault moves to the nearest position free of all others, if there is one.
 
 Source: Hildreth, "A quadratic programming procedure", Naval Research Logistics Quarterly 4, 1957.
 """

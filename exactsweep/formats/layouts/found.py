@@ -85,9 +85,9 @@ class FilledSheet(NamedTuple):
 
     Attributes:
         container: as in Layout JSON.
-        placements: likewise.
+        placements: as in Layout JSON.
         copies: how many such sheets there are.
-        rest: as of a NestingInstance, for this sheet alone.
+        rest: members of this layout alone: "spacing", "margin".
         places: the place of each placement in the file; empty if unknown.
     """
 

@@ -64,7 +64,7 @@ def read_layout(path: str, **options: Unpack[LayoutOptions]) -> dict[str, Any]:
         Layout JSON.
 
     Raises:
-        FormatError: as by `read_layouts`, or there are several.
+        FormatError: `read_layouts` raises it, or there are several layouts.
     """
     found = read_layouts(path, **options)
     if len(found) > 1:
@@ -107,7 +107,7 @@ def read_layouts(path: str, **options: Unpack[LayoutOptions]) -> list[FoundLayou
         container: the container of a drawing, by name, index or layer of its outline; False for
             no container; found automatically by default.
         tolerance: as for `exactsweep.formats.parse_polygons`.
-        options: likewise.
+        options: as for `exactsweep.formats.parse_polygons`.
 
     Returns:
         list of FoundLayout, one for each sheet; their data is Layout JSON.
