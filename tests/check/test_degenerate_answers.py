@@ -8,11 +8,12 @@ from random import Random
 from typing import Any
 
 import pytest
-from certified import certificates
+from certified import certificates, layout, with_faults
 from checkers import check_agreement, needs_node
 from falsify import ANSWERS, draw, draw_sums, is_loop, is_same_claim, list_places
 from tampering import get, put
 
+from exactsweep.check.standalone import prove
 from exactsweep.evidence.proof import add_proof
 
 Certificate = dict[str, Any]
@@ -88,3 +89,13 @@ def test_degenerate_rings_and_loops_are_proved_unless_they_are_bent(
     false = [b for c, b in bent if not is_same_claim(c, b)]
     assert len(false) > len(bent) / 2
     assert check_agreement(false, tmp_path) == 0
+
+
+def test_a_part_may_touch_itself(tmp_path: Path) -> None:
+    """Two triangles with a common vertex, as one ring, are a shape: a layout of it is valid."""
+    low, high = [["0", "0"], ["2", "0"], ["1", "1"]], [["1", "1"], ["2", "2"], ["0", "2"]]
+    part = {"id": "a", "exterior": [*low, *high[1:], high[0]]}
+    true = layout([part], [{"part": "a", "move": ["0", "0"]}], [[low, high]], 2)
+    fault = {"kind": "shape", "part": "a", "point": ["1", "1"]}
+    assert check_agreement([true, with_faults(true, fault)], tmp_path) == 1
+    assert prove(true)
