@@ -266,7 +266,8 @@ def _list_points(lines: Iterable[OpenLine]) -> Iterator[Point]:
 
 def _fault(line: OpenLine, end: Point, count: int, reading: Reading) -> str:
     if count > 1:
-        return f"{line.shape.place}: {count} ends meet at {show_point(end)}"
+        where = f"{line.shape.place}: {count} ends meet at {show_point(end)}"
+        return f"{where}; outlines that touch need polylines"
     exactly = "" if reading.join else " exactly; --join DISTANCE closes small gaps"
     return f"{line.shape.place}: open end at {show_point(end)}: no other end meets it{exactly}"
 
