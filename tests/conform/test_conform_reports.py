@@ -58,7 +58,7 @@ def test_failures_are_made_smaller_for_the_page_and_the_json(tmp_path: Path) -> 
     assert (shrunk["verdict"], shrunk["id"][-7:]) == ("unsound", "-shrunk")
     assert len(shrunk["case"]["directrix"]) <= 5
     assert len(shrunk["case"]["generatrix"]) == 3
-    assert "Made smaller" in page.read_text()
+    assert "Smaller case" in page.read_text()
     run("conform", *options, "--shrink", "0", *command)
     assert json.loads(data.read_text())["shrunk"] == {}
 
