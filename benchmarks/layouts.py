@@ -42,14 +42,7 @@ Offsets = list[tuple[int, int]]
 
 
 def tile(number: int, vertices: int, *, gap: bool, seed: int = 1) -> Layout:
-    """Make a layout of interlocking parts.
-
-    Args:
-        number: the number of placements.
-        vertices: the number of vertices of each part, 4 k + 4.
-        gap: whether there is a gap between parts.
-        seed: the seed of the borders.
-    """
+    """Make a layout of interlocking parts."""
     random = Random(f"{number}:{vertices}:{seed}")
     inner = (vertices - 4) // 4
     columns = round(number**0.5)

@@ -61,17 +61,7 @@ def compile_program(folder: Path, source: Path = SOURCE) -> Path:
 
 
 class Cgal:
-    """A runner of the program that skips slow strategies.
-
-    Args:
-        program: the compiled program.
-        limit: the time limit of a run in seconds.
-        seconds: the total time of repeated runs.
-
-    Attributes:
-        failed: the number of strategies that crashed or returned no polygon in the last `best`.
-        differing: the number of strategies with a different answer.
-    """
+    """A runner of the program that skips slow strategies, and counts failed and differing ones."""
 
     def __init__(self, program: Path, limit: float, seconds: float = SECONDS) -> None:
         self._program = program
@@ -82,14 +72,7 @@ class Cgal:
         self.version = run([program, "version"], "", limit).strip()
 
     def best(self, family: str, stage: str, p: Loop, q: Loop, mode: str = "") -> Best | None:
-        """Find the fastest strategy for P + Q, or for P eroded by -Q.
-
-        Args:
-            family: the family of the pair.
-            stage: "trajectory", "outer" or "inner".
-            p: vertices of P, counter-clockwise.
-            q: vertices of Q, counter-clockwise.
-            mode: "kept" for all runs on the same polygons, "text" for reading them in each run.
+        """Find the fastest strategy for P + Q, or for P eroded by -Q, from counter-clockwise rings.
 
         Returns:
             None if no strategy ends within the limit.

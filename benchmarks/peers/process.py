@@ -21,13 +21,7 @@ class TooSlowError(StoppedError):
 
 
 def run(command: Sequence[str | Path], given: str, seconds: float, *, overhead: float = 0.0) -> str:
-    """Run a program and return its output.
-
-    Args:
-        command: the program and its arguments.
-        given: its standard input.
-        seconds: the limit of processor time; the wall time may be twice as long.
-        overhead: additional seconds for starting and repeating.
+    """Run a program with a limit of processor time and an overhead; return its output.
 
     Raises:
         StoppedError: the program takes longer, crashes or fails.

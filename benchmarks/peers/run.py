@@ -77,13 +77,7 @@ class Comparison(NamedTuple):
 
 
 def compare(*, limit: float, quick: bool = False, say: Callable[[str], None] = print) -> Comparison:
-    """Measure everything.
-
-    Args:
-        limit: the time limit of a program on a pair in seconds.
-        quick: whether to measure only pairs of up to 64 vertices.
-        say: a callback for the current activity.
-    """
+    """Measure everything."""
     versions, skipped = {OURS: ours.version(), CHECKED: "the same from lists"}, {}
     for name in NAMES:
         try:

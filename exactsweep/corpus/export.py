@@ -26,13 +26,7 @@ _WIDTH, _HEIGHT = 440, 370
 
 
 class CaseFigure(NamedTuple):
-    """A polygon of a case, or a segment of positions.
-
-    Attributes:
-        name: for example "directrix", "trajectory", "hole" or "exact fit".
-        closed: whether it is a polygon.
-        rings: the open exterior and holes, or one ring of the ends of a segment.
-    """
+    """A polygon of a case with open rings, or a segment of positions as a ring."""
 
     name: str
     closed: bool

@@ -8,14 +8,7 @@ NUMBER_TYPES = (*INTEGER_BITS, "binary64")
 
 
 def find_types(values: Collection[Fraction], scale: int) -> frozenset[str]:
-    """List the number types that represent numbers exactly.
-
-    Args:
-        values: the numbers.
-        scale: a positive factor for the integer types.
-
-    Returns:
-        Some of "int32" and "int64", for the scaled numbers, and "binary64".
+    """List the number types that represent numbers exactly, integers after scaling.
 
     Example:
         >>> sorted(find_types([Fraction(1, 3)], 3)), sorted(find_types([Fraction(1, 3)], 2))

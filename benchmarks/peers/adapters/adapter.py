@@ -51,12 +51,6 @@ class Adapter(NamedTuple):
     ) -> dict[str, Any]:
         """Answer a case for `CallablePeer`.
 
-        Args:
-            directrix: D, a list of pairs, or of rings if the program accepts any shapes.
-            generatrix: G, or -G if the only question is a Minkowski sum.
-            reference: ignored.
-            parts: the parts to answer; by default all parts in the hello.
-
         Raises:
             NotImplementedError: the program does not support the numbers or the shape.
         """
@@ -93,13 +87,6 @@ def sum_adapter(
 
     If the program accepts holes, inner fits are holes of the sum of -G and a frame around the
     container.
-
-    Args:
-        name: the name and version of the program.
-        numbers: the numbers that it reads.
-        add: computes the rings of D + (-G) from D and -G, lists of rings.
-        shapes: the shapes that it accepts.
-        close: ends its processes.
     """
 
     def ask(part: str, directrix: AskedShape, generatrix: AskedShape) -> dict[str, Any]:

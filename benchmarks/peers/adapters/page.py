@@ -53,12 +53,7 @@ ID` prints it.
 
 
 def write_page(journals: Iterable[Path], asked: str) -> str:
-    """Write the page in Markdown, with the current date.
-
-    Args:
-        journals: journals of 'exactsweep conform', one for each program and question.
-        asked: a description of the cases.
-    """
+    """Write the page in Markdown, with the current date."""
     found: dict[tuple[str, str], Tally] = defaultdict(Tally)
     smallest: dict[tuple[str, str], tuple[int, str]] = {}
     for path in journals:

@@ -13,16 +13,7 @@ from exactsweep.numbers.number import PointRings
 
 
 class _Language(NamedTuple):
-    """The notation of rings in a language.
-
-    Attributes:
-        pattern: a regular expression for commands and names of programs.
-        line: the template of a constant.
-        brackets: around a list.
-        point: around a point.
-        types: of doubles, of rationals, and of integers; "" if declarations name no type.
-        comment: before a remark.
-    """
+    """The notation of rings in a language."""
 
     pattern: str
     line: str

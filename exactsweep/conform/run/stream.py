@@ -24,9 +24,6 @@ _MOST_COMPLAINTS = 20
 class Stream:
     """The output of a program: a hello, then answers, one per line.
 
-    Args:
-        file: the file to read.
-
     Attributes:
         hello: the program's hello.
         complaints: list of errors of the first lines that cannot be judged.

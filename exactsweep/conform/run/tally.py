@@ -24,9 +24,6 @@ _DIFFERENT = (Verdict.CONSERVATIVE, Verdict.UNSOUND, Verdict.WRONG)
 class Tally:
     """Counts of outcomes.
 
-    Args:
-        outcomes: the first outcomes.
-
     Attributes:
         counts: Counter of (group, verdict); groups are "all", classes and flags.
         seconds: the total time of all answers.
