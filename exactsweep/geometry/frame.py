@@ -8,7 +8,6 @@ without square roots, and the loops do not depend on the choice of u.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from fractions import Fraction
 from typing import Literal, NamedTuple
 
 from exactsweep.geometry.direction import (
@@ -23,6 +22,7 @@ from exactsweep.numbers.number import (
     ORIGIN,
     Point,
     Vertex,
+    divide,
     ratio,
 )
 from exactsweep.words import write_degrees, write_vector
@@ -82,7 +82,9 @@ class Frame(NamedTuple):
         """Convert points of the frame to the plane, moved by a vector."""
         p, q = self.direction
         scale = self.scale * (p * p + q * q)
-        if self.direction != X_AXIS:
-            points = [(p * x - q * y, q * x + p * y) for x, y in points]
-        found = [Point(Fraction(x, scale), Fraction(y, scale)) for x, y in points]
+        found = []
+        for x, y in points:
+            (x, b), (y, d) = x.as_integer_ratio(), y.as_integer_ratio()
+            x, y, unit = x * d, y * b, scale * b * d
+            found.append(Point(divide(p * x - q * y, unit), divide(q * x + p * y, unit)))
         return found if shift == ORIGIN else [Point(x + shift.x, y + shift.y) for x, y in found]

@@ -9,13 +9,12 @@ from __future__ import annotations
 
 from collections import defaultdict
 from collections.abc import Callable, Container, Iterable, Iterator, Mapping, Sequence
-from fractions import Fraction
 from functools import cache
 from itertools import chain, groupby
 from typing import NamedTuple
 
 from exactsweep.geometry.vectors import angle_key
-from exactsweep.numbers.number import Fit, Point
+from exactsweep.numbers.number import Fit, Point, divide
 from exactsweep.procedures.crossings import HomogeneousPoint, OneSidedPiece, Pieces, TwoSidedPiece
 
 PieceRing = Sequence[OneSidedPiece]
@@ -168,4 +167,4 @@ def _find_middle(p: HomogeneousPoint, q: HomogeneousPoint) -> HomogeneousPoint:
 
 def _divide(point: HomogeneousPoint, scale: int) -> Point:
     x, y, w = point
-    return Point(Fraction(x, w * scale), Fraction(y, w * scale))
+    return Point(divide(x, w * scale), divide(y, w * scale))
