@@ -162,9 +162,18 @@ def test_all_parts_of_the_shape_are_covered(tmp_path: Path) -> None:
         "shape": {"exterior": rect(0, 0, 9, 1), "holes": [rect(4, 0, 6, 1)]},
         "proof": {**proof, "shape": [left, right]},
     }
-    assert check_agreement([whole, both], tmp_path) == 1
+    # Along a segment, pieces with a common vertex have sums without a common point.
+    one, other = rect(0, 0, 4, 1), rect(4, 1, 5, 2)
+    corner = [*one[:3], *other[1:], other[0], one[3]]
+    touching = {
+        **whole,
+        "shape": {"exterior": corner},
+        "proof": {**proof, "shape": [one, other]},
+    }
+    assert check_agreement([whole, both, touching], tmp_path) == 1
     assert verify(whole).proved
-    assert verify(both).reason.startswith("sums: winding number 0, expected 1")
+    for false in (both, touching):
+        assert verify(false).reason.startswith("sums: winding number 0, expected 1")
 
 
 @needs_tools
