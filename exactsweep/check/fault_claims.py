@@ -39,7 +39,8 @@ def claim_fault(
 
     Raises:
         LookupError: the part, a body or the kind of fault is unknown.
-        TheoremError: the kind does not fit the bodies.
+        TheoremError: the kind does not fit the bodies, or near the point of a fault "too close"
+            a body has only edges between winding numbers other than 1, or that cancel.
     """
     kind, at = fault["kind"], fault.get("point")
     point = (Fraction(at[0]), Fraction(at[1])) if at is not None else (Fraction(0), Fraction(0))
@@ -58,7 +59,7 @@ def claim_fault(
     for p, q in pairs:
         if p and q and max(_squared(p, point), _squared(q, point)) < reach**2:
             return term, (p, q)
-    return term, (point, point)
+    raise TheoremError("no points of both bodies near the point of a fault")
 
 
 def _case(number: int, name: str, *arguments: Any) -> Constructor:

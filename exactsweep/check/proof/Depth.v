@@ -7,16 +7,18 @@ Open Scope Q_scope.
 
 Definition vector (y z : qpoint) : qpoint := (fst z - fst y, snd z - snd y).
 Definition across (e : side) : qpoint := (snd (snd e) - snd (fst e), - (fst (snd e) - fst (fst e))).   (* to the right of an edge *)
+Definition reduced (n : qpoint) : qpoint := (Qred (fst n), Qred (snd n)).
 Definition back (n : qpoint) : qpoint := (- fst n, - snd n).
 
 (* In direction n, all points are more than d ahead of z. *)
 Definition ahead (d : Q) (z : qpoint) (ps : list qpoint) (n : qpoint) : bool :=
-  forallb (fun p => let g := along n p - along n z in Statements.less 0 g && Statements.less (d * d * square_of n) (g * g)) ps.
+  let s := Qred (d * d * square_of n) in
+  forallb (fun p => let g := Qred (along n p - along n z) in Statements.less 0 g && Statements.less s (g * g)) ps.
 Definition directions (z : qpoint) (ps : list qpoint) : list qpoint :=
-  map (vector z) ps ++ flat_map (fun e => [across e; back (across e)]) (Statements.edges ps).
+  map (fun p => reduced (vector z p)) ps ++ flat_map (fun e => let n := reduced (across e) in [n; back n]) (Statements.edges ps).
 Definition is_far (d : Q) (ps : list qpoint) (z : qpoint) : bool := existsb (ahead d z ps) (directions z ps).
 Definition far_edges (d : Q) (rs : list Statements.ring) (z : qpoint) : bool :=
-  forallb (fun e => is_far d [fst e; snd e] z) (flat_map Statements.edges rs).
+  let z := reduced z in forallb (fun e => is_far d [reduced (fst e); reduced (snd e)] z) (flat_map Statements.edges rs).
 
 (* Points of a hull: vertices, points on its edges, and z itself in a triangle of vertices *)
 Definition foot (z : qpoint) (e : side) : list qpoint :=
@@ -52,7 +54,7 @@ Proof.
   intros D Ne H. unfold ahead in H. rewrite forallb_forall in H.
   destruct (least (along n) (fun _ => True) (fun _ => left I) ps) as (p & Ip & _ & M).
   { destruct ps as [|p ps]; [contradiction|]. exists p. split; [left; reflexivity|exact I]. }
-  specialize (H p Ip). cbv zeta in H. apply andb_prop in H as (G0 & G). apply less_true in G0, G.
+  specialize (H p Ip). cbv zeta in H. apply andb_prop in H as (G0 & G). apply less_true in G0, G. rewrite !Qred_correct in G. rewrite Qred_correct in G0.
   destruct (root_above d (square_of n) _ D (square_of_nonneg n) G) as (c & C & L). exists c, (along n p). split; [exact C|]. split.
   - intros y Y. rewrite dist2_sym in Y. pose proof (cauchy n z y c ltac:(lra) Y) as X.
     assert (along n y - along n z < along n p - along n z); [|lra]. apply sq_less; [lra|].
@@ -109,15 +111,20 @@ Proof.
   assert (F : forall z, qdot (a, b) z == inject_Z k * along n z) by (intro z; unfold qdot, along; cbn [fst snd]; rewrite <- A, <- B; ring).
   rewrite !F. repeat split; try (apply mono_lt; assumption); apply mono_le; try assumption; lra.
 Qed.
+Lemma along_reduced n p : along n (reduced p) == along n p.
+Proof. unfold along, reduced. cbn [fst snd]. rewrite !Qred_correct. reflexivity. Qed.
+Lemma dist2_reduced y z : Statements.dist2 y (reduced z) == Statements.dist2 y z.
+Proof. unfold Statements.dist2, reduced. cbn [fst snd]. rewrite !Qred_correct. reflexivity. Qed.
 Lemma far_winding d rs z : 0 <= d -> far_edges d rs z = true ->
   exists c, d < c /\ forall y, Statements.dist2 y z <= c * c -> Statements.winding rs y = Statements.winding rs z.
 Proof.
-  intros D H. unfold far_edges in H. rewrite forallb_forall in H.
+  intros D H. unfold far_edges in H. cbv zeta in H. rewrite forallb_forall in H.
   destruct (common_disc d z (fun e y => exists n m, along n y < m /\ along n z < m /\ m <= along n (fst e) /\ m <= along n (snd e)) (flat_map Statements.edges rs))
     as (c & C & F); [|exact D|].
-  - intros e E. destruct (is_far_spec d [fst e; snd e] z D ltac:(discriminate) (H e E)) as (n & c & m & C & Y & P). exists c. split; [exact C|].
-    intros y Dy. exists n, m. split; [apply Y, Dy|]. split; [|split; apply P; [left|right; left]; reflexivity].
-    apply Y. assert (Z : Statements.dist2 z z == 0) by (unfold Statements.dist2; ring). rewrite Z. apply sq_nonneg.
+  - intros e E. destruct (is_far_spec d [reduced (fst e); reduced (snd e)] (reduced z) D ltac:(discriminate) (H e E)) as (n & c & m & C & Y & P). exists c. split; [exact C|].
+    assert (Y' : forall y, Statements.dist2 y z <= c * c -> along n y < m) by (intros y Dy; apply Y; rewrite dist2_reduced; exact Dy).
+    intros y Dy. exists n, m. split; [apply Y', Dy|]. split; [|split; rewrite <- along_reduced; apply P; [left|right; left]; reflexivity].
+    apply Y'. assert (Z : Statements.dist2 z z == 0) by (unfold Statements.dist2; ring). rewrite Z. apply sq_nonneg.
   - exists c. split; [exact C|]. intros y Y. apply constant_disc. exact (F y Y).
 Qed.
 
