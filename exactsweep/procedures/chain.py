@@ -105,7 +105,7 @@ def scale_to_ints(x: Rational, y: Rational) -> Homogeneous:
 
 
 def inverse(points: Iterable[Vertex]) -> list[Vertex]:
-    """Mirror points about the origin, in the same order (Definition 5.1). Cost: O(n).
+    """Mirror points about the origin, in the same order (Definition 5.1).
 
     The bottom chain of a polygon becomes the top chain of its inverse, and vice versa.
 
@@ -118,7 +118,7 @@ def inverse(points: Iterable[Vertex]) -> list[Vertex]:
 def reverse(edges: Iterable[Edge]) -> list[Edge]:
     """Reverse every directed edge and keep the order of the edges (Definition 3.1).
 
-    Laid end to end, the reversed edges of a chain are the edges of its `inverse`. Cost: O(n).
+    Laid end to end, the reversed edges of a chain are the edges of its `inverse`.
 
     >>> reverse([((2, 0), (1, 3)), ((1, 3), (0, 0))])
     [((1, 3), (2, 0)), ((0, 0), (1, 3))]
@@ -172,7 +172,7 @@ def find_point(line: tuple[int, int, int, *tuple[object, ...]], at: Break) -> Ho
 
 
 def take_corners(vertices: Iterable[V]) -> list[V]:
-    """Drop repeated vertices, and vertices between collinear neighbours. Cost: O(n)."""
+    """Drop repeated vertices, and vertices between collinear neighbours."""
     kept: list[V] = []
     for vertex, _ in groupby(vertices):
         if len(kept) > 1 and _are_collinear(kept[-2], kept[-1], vertex):

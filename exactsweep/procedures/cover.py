@@ -31,8 +31,6 @@ def leave_out_covered(
 ) -> Sequence[ContactSegment]:
     """Cut contact segments at columns of squares, and drop the pieces that squares cover.
 
-    The squares are those of all pairs of an obstacle and a moving shape H.
-
     Cost: O(1) for each column that a segment meets, and the sum of squares.
     """
     if len(segments) < _FEW:
@@ -79,9 +77,9 @@ def add_squares(stationary: Rings, moving: Rings, side: int) -> tuple[int, int, 
 
 
 def find_squares(rings: Rings, side: int) -> tuple[int, int, list[int], list[int]]:
-    """Return the first column and row, the squares that edges meet, and the squares inside.
+    """Return the first column and row, the closed squares that edges meet, and those inside.
 
-    Squares are closed. Those that edges meet may count as inside or not.
+    Squares that edges meet may count as inside or not.
     """
     xs, ys = zip(*chain.from_iterable(rings), strict=True)
     left, low = int(min(xs) // side) - 1, int(min(ys) // side) - 1
@@ -106,10 +104,7 @@ def find_squares(rings: Rings, side: int) -> tuple[int, int, list[int], list[int
 def split(
     segment: ContactSegment, side: int, lowest: int, columns: Mapping[int, int]
 ) -> Iterator[ContactSegment]:
-    """Yield the pieces of a segment outside the covered squares, which are listed by column.
-
-    Squares have the given side; their lowest bit is in row `lowest`.
-    """
+    """Yield the pieces of a segment outside the covered squares; the lowest bit is row `lowest`."""
     (dx, dy, c), (n, d), (m, e) = segment.line, segment.low, segment.high
     first, row = n // (d * side), (n * dy + c * d) // (dx * d * side) - lowest if dx else 0
     if dx == 0:

@@ -192,7 +192,7 @@ def lower_envelope_mm(graphs: Sequence[Graph]) -> Graph:
 
 
 def merge(first: Graph, second: Graph) -> Graph:
-    """Return the lower envelope of two graphs, by a walk along both in vertical sync."""
+    """Return the lower envelope of two graphs."""
     if precedes(second.breaks[0], first.breaks[0]):
         first, second = second, first
     breaks, pieces, ends, others = first.breaks, first.pieces, second.breaks, second.pieces

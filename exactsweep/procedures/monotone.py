@@ -104,10 +104,9 @@ _TURN_BACK: tuple[Callable[[Sequence[Vertex]], list[Vertex]], ...] = (list, inve
 
 @lru_cache(512)
 def split_polygon(lattice: Lattice, frame: Frame) -> tuple[Chain, Chain]:
-    """Split a monotone polygon in a frame: the bottom chain, and the inverse of the top chain.
+    """Split a monotone polygon: the bottom chain, and the inverse of the top chain, in a frame.
 
-    The lattice is that of `Polygon.lattice`. Chains are cached: nesting sweeps each part around
-    many others.
+    Chains are cached, because nesting sweeps each part around many others.
     """
     bottom, top = split(frame.enter(*lattice))
     return Chain.of(bottom), Chain.of(inverse(top))
@@ -116,8 +115,7 @@ def split_polygon(lattice: Lattice, frame: Frame) -> tuple[Chain, Chain]:
 class MonotoneSolution:
     """The loops and exact fits of a monotone pair (G, D), by the paper's procedures.
 
-    Each is computed on first access. Positions are those of G's origin. Loops are canonical. There
-    are no holes of the no-fit polygon, and no unswept holes.
+    Each is computed on first access. Positions are those of G's origin. Loops are canonical.
     """
 
     holes: Sequence[list[Point]] = ()

@@ -28,10 +28,7 @@ _Vectors = tuple[int, int, int, int]
 def leave_out_overlapped(
     edges: Sequence[EdgeFeature], ring: Sequence[Vertex], k: int
 ) -> Sequence[EdgeFeature]:
-    """Return the edges that vertex k of a ring faces, without the parts in O by (1), (2).
-
-    Cost: O(1) for each edge.
-    """
+    """Return the edges that vertex k of a ring faces, without the parts in O by (1), (2)."""
     points = [ring[(k + i) % len(ring)] for i in (-2, -1, 0, 1, 2)]
     unit = lcm(*(c.denominator for point in points for c in point))
     o, p, v, q, r = ((int(x * unit), int(y * unit)) for x, y in points)
