@@ -135,7 +135,7 @@ def overlap(a: Region | Vertices, b: Region | Vertices) -> Overlap:
     """Decide whether two shapes overlap where they are, by how much, and how far b has to move.
 
     Args:
-        a: a Polygon, a Region, the vertices of a polygon, or a polygon of shapely, with holes, too.
+        a: a Polygon, a Region, the vertices of a polygon, or a shapely polygon, with holes, too.
         b: likewise.
 
     Returns:

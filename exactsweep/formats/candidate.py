@@ -1,4 +1,4 @@
-"""Candidates for the polygons of a file, and the choice among them."""
+"""Polygons of a file, read on demand."""
 
 from __future__ import annotations
 
@@ -31,11 +31,10 @@ class NamedPolygon(NamedTuple):
     """A polygon of a file.
 
     Attributes:
-        polygon: the Polygon.
         name: its id, or None.
-        layer: its layer in DXF or Inkscape's SVG, or None.
-        error: a bound on the distance between its boundary and the drawn curve, in both directions;
-            0 without curves.
+        layer: its DXF or Inkscape layer, or None.
+        error: a bound on the Hausdorff distance between its boundary and the drawn curves; 0 if
+            there are none.
     """
 
     polygon: Polygon
@@ -45,12 +44,7 @@ class NamedPolygon(NamedTuple):
 
 
 class NamedRegion(NamedTuple):
-    """A polygon of a file with its holes.
-
-    Attributes:
-        region: the Region.
-        name, layer, error: as for `NamedPolygon`.
-    """
+    """A polygon of a file with its holes; attributes as for `NamedPolygon`."""
 
     region: Region
     name: str | None = None
@@ -63,23 +57,23 @@ class NamedRegion(NamedTuple):
 
 
 class Candidate(NamedTuple):
-    """A polygon of a file that is read on demand, so that its errors do not affect others.
+    """A polygon of a file, read on demand; its errors do not affect others.
 
     Attributes:
-        place: its place in the file, for messages; "" if the errors of `vertices` name it.
-        vertices: a function that reads them, or raises FormatError.
+        place: its location in the file, for messages; "" if the errors of `vertices` state it.
+        vertices: reads the vertices, or raises FormatError.
         name, layer: its id and its layer, or None.
-        holes: a function that finds its inner rings, in order, or raises FormatError.
-        fault: the reason why it is not a polygon, if known before reading; else "".
-        ornament: whether it cannot be part of any outline, so that nothing is lost without it.
+        holes: finds the inner rings, in order, or raises FormatError.
+        fault: why it is not a polygon, if known before reading; else "".
+        ornament: whether it cannot be part of any outline.
         error: as for `NamedPolygon`.
-        rule: the fill rule of a ring that touches or crosses itself; None to reject it.
-        clean: the least area of the regions to read.
-        finer: finds it with curves flattened at another tolerance, None if it cannot; or None.
-        words: its classes, in SVG.
-        groups: the ids of the groups around it, in SVG.
+        rule: the fill rule for rings that touch or cross themselves; None to reject them.
+        clean: the minimum area of the regions to read.
+        finer: flattens its curves at another tolerance; returns None on failure.
+        words: its SVG classes.
+        groups: the ids of the SVG groups around it.
         rounded: its hull and radius, if it is a disc, a slot or a rounded rectangle.
-        points: the vertices of open lines, if it has a fault.
+        points: the vertices of rejected open lines.
     """
 
     place: str
@@ -107,7 +101,7 @@ class Candidate(NamedTuple):
         *,
         ornament: bool = False,
     ) -> Self:
-        """Make a candidate that raises FormatError, for an element that is not a polygon."""
+        """Make a candidate that raises FormatError."""
         fault = str(reason)
 
         def vertices() -> NoReturn:
@@ -116,7 +110,7 @@ class Candidate(NamedTuple):
         return cls("", vertices, name, layer, fault=fault, ornament=ornament)
 
     def rejected(self, reason: str, *, ornament: bool = False) -> Self:
-        """Return a candidate of the same name, layer and groups that raises FormatError."""
+        """Return a candidate that raises FormatError, with the same name, layer and groups."""
         found = type(self).refused(reason, self.name, self.layer, ornament=ornament)
         return found._replace(groups=self.groups)
 
@@ -129,7 +123,7 @@ class Candidate(NamedTuple):
         layer: str | None = None,
         error: Fraction = Fraction(0),
     ) -> Self:
-        """Make a candidate of the exterior and the holes, each by its place and its reader."""
+        """Make a candidate from (place, reader) pairs, the exterior first."""
         exterior, *holes = (cls(where, read) for where, read in rings)
         return exterior._replace(
             place=place or exterior.place,
@@ -154,7 +148,7 @@ class Candidate(NamedTuple):
         return self._read(self._make_polygon)
 
     def region(self) -> Region:
-        """Read the polygon with its holes; raises as `polygon` does."""
+        """Read the polygon with its holes; raises like `polygon`."""
         holes = self.holes()
         if not holes:
             return Region(self.polygon())
@@ -163,7 +157,7 @@ class Candidate(NamedTuple):
         )
 
     def read(self, read: Callable[[Candidate], _Any], said: Said) -> list[_Any]:
-        """Read the outline, or the regions that it fills if it is not simple."""
+        """Read the outline, or if it is not simple the regions that it fills."""
         if not self.clean:
             try:
                 return [read(self)]
@@ -173,7 +167,7 @@ class Candidate(NamedTuple):
         return [*map(read, self.split(said))]
 
     def split(self, said: Said) -> list[Candidate]:
-        """Return the outline, or the regions that it fills, without those below `clean`."""
+        """Return the outline or the regions that it fills; drop those smaller than `clean`."""
         pieces: list[Candidate] = [self]
         try:
             self.region()
@@ -198,7 +192,7 @@ class Candidate(NamedTuple):
         return found
 
     def take_filled(self, filled: Filled) -> list[Self]:
-        """Return a candidate for each region that its rings fill."""
+        """Return one candidate per filled region."""
         error = self.error + round_root_up(filled.hidden)
         found: list[Self] = []
         for region in filled.regions:
@@ -209,7 +203,7 @@ class Candidate(NamedTuple):
         return found
 
     def _find_finer(self, k: int, number: int, tolerance: Fraction) -> Candidate | None:
-        """Find a piece with finer lines, if these fill as many regions."""
+        """Flatten region k more finely; None if the number of regions changes."""
         finer = self.finer(tolerance) if self.finer else None
         pieces = finer.split(Said([], [])) if finer else []
         return pieces[k] if len(pieces) == number else None
@@ -220,14 +214,11 @@ class Candidate(NamedTuple):
         return known or Polygon(points)
 
     def shape(self) -> AnyPolygon:
-        """Read a Region if there are holes, else a Polygon."""
+        """Read a Polygon, or with holes a Region."""
         return self.region() if self.holes() else self.polygon()
 
     def _short_vertices(self) -> Sequence[Point]:
-        """Read the vertices; reject numbers that are too long to be read again.
-
-        Only transformations and curves produce them: a product has the digits of all factors.
-        """
+        """Read the vertices; reject numbers beyond `max_digits`, which transformations produce."""
         points = self.vertices()
         numbers = (n for c in chain.from_iterable(points) for n in c.as_integer_ratio())
         longest = max(map(abs, numbers), default=0)
@@ -252,16 +243,16 @@ class Candidate(NamedTuple):
         return NamedRegion(self.region(), self.name, self.layer, self.error)
 
     def named_polygons(self, said: Said) -> list[NamedPolygon]:
-        """Read the polygon, or those that it fills if it is not simple."""
+        """Read the polygon, or if it is not simple those that it fills."""
         return self.read(Candidate.named_polygon, said)
 
     def named_regions(self, said: Said) -> list[NamedRegion]:
-        """Read the region, or those that it fills if it is not simple."""
+        """Read the region, or if it is not simple those that it fills."""
         return self.read(Candidate.named_region, said)
 
 
 def allow_faults(drawn: Iterable[_Any]) -> Iterator[_Any]:
-    """Yield candidates, possibly among others; raises FormatError for too many rejected ones."""
+    """Yield the items; raise FormatError if too many are rejected candidates."""
     number, first = 0, ""
     for one in drawn:
         if isinstance(one, Candidate) and one.fault:

@@ -1,4 +1,4 @@
-"""The choice among the polygons of a file."""
+"""Selection of polygons by name, index, layer or group."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ _SHOWN = 4
 
 
 def choose(candidates: Sequence[Candidate], choice: str | None) -> Candidate:
-    """Find the candidate that a choice names, or the only one; raises FormatError."""
+    """Return the candidate selected by a choice, or the only one; raises FormatError."""
     if choice is not None:
         found = select(candidates, choice)
         if len(found) == 1:
@@ -51,19 +51,19 @@ def choose(candidates: Sequence[Candidate], choice: str | None) -> Candidate:
 
 
 def select(candidates: Sequence[Candidate], choice: str) -> list[Candidate]:
-    """Find all candidates that a choice names: a name, an index from 0, a layer or a group.
+    """Return all candidates with a name, an index from 0, a layer or a group, in this priority.
 
-    They are tried in this order; "layer:" before a name restricts it to layers. A layer omits
-    rejected candidates if it has others; outlines inside others of a group are holes.
+    The prefix "layer:" selects layers only. Rejected candidates of a layer are dropped if it has
+    others. In a group, outlines inside others are holes.
 
     Raises:
-        FormatError: no such candidate.
+        FormatError: no candidate matches.
     """
     named = [candidate for candidate in candidates if candidate.name == choice]
     prefix, _, layer = choice.partition("layer:")
     if not (named or prefix):
         choice = layer
-    # Names and layers may look like an index: the first layer of DXF is "0".
+    # Names and layers may look like an index: the default layer of DXF is "0".
     is_index = not layer and choice.isascii() and choice.isdigit() and len(choice) < 10
     index = int(choice) if is_index else -1
     if len(named) != 1 and 0 <= index < len(candidates):
@@ -83,14 +83,14 @@ def select(candidates: Sequence[Candidate], choice: str) -> list[Candidate]:
 
 
 def is_group(candidates: Sequence[Candidate], choice: str | None) -> bool:
-    """Whether the candidates that a choice selects are the separate outlines of one group."""
+    """Whether a choice selected the outlines of one group."""
     return bool(candidates) and all(
         choice in one.groups and choice not in (one.name, one.layer) for one in candidates
     )
 
 
 def _shortest(candidates: Sequence[Candidate], index: int) -> str:
-    """Return the name, the layer or else the index that identifies a candidate."""
+    """Return the name or layer if it is unambiguous, else the index."""
     one = candidates[index]
     for word in (one.name, one.layer):
         if word and [c for c in candidates if word in (c.name, c.layer) and not c.fault] == [one]:

@@ -1,4 +1,4 @@
-"""Columns of tables of placements, by their usual names."""
+"""Column names of placement tables."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ COLUMNS = {
     "group": ("group", "layout", "sheet", "bin", "case", "puzzle", "board", "n"),
     "id": ("id",),
 }
-"""The names of columns by their meaning."""
+"""Column names by meaning."""
 
 _MEANINGS = {name: meaning for meaning, names in COLUMNS.items() for name in names}
 # With one of these, x and y are positions.
@@ -32,7 +32,7 @@ _OTHER = re.compile(r"[^a-z0-9]+")
 
 
 def name_columns(head: Iterable[str]) -> dict[str, str]:
-    """Return the name of the column of each meaning; raise FormatError if there are two.
+    """Map each meaning to its column; raise FormatError if it has two.
 
     >>> name_columns(["X", "y", "Angle (rad)"])
     {'x': 'X', 'y': 'y', 'radians': 'Angle (rad)'}
@@ -48,7 +48,7 @@ def name_columns(head: Iterable[str]) -> dict[str, str]:
 
 
 def refuse_placements(head: Sequence[str], place: str) -> None:
-    """Raise FormatError if columns are those of a table of placements, not of vertices."""
+    """Raise FormatError if the columns are those of a placement table."""
     meanings = [_MEANINGS.get(name, name) for name in map(_simplify, head)]
     placing = [k for k, meaning in enumerate(meanings) if meaning in _PLACING | _SIZES]
     if placing and {"x", "y"} <= {*meanings}:

@@ -1,4 +1,4 @@
-"""Reader and writer of CSV: a vertex, a rectangle or a polygon as WKT per row."""
+"""Reader and writer of CSV: one vertex, rectangle or WKT polygon per row."""
 
 from __future__ import annotations
 
@@ -32,14 +32,14 @@ _RowsByRing = dict[str, list[tuple[int, str, str]]]
 
 
 def is_csv(text: str) -> bool:
-    """Decide whether a text begins with two numbers, or with a header of x and y, or of WKT."""
+    """Whether a text begins with two numbers, or with a header with x and y or WKT."""
     head = _head(text)
     is_table = {"x", "y"} <= head or not head.isdisjoint(_WKT)
     return is_table or bool(_NUMBERS.match(text.lstrip().partition("\n")[0]))
 
 
 def count_vertices(text: str) -> int:
-    """Count the possible vertices: rows, or parts between commas of WKT."""
+    """Bound the number of vertices by the rows, or the commas of WKT."""
     return text.count("\n" if {"x", "y"} <= _head(text) or _NUMBERS.match(text) else ",")
 
 
@@ -52,15 +52,12 @@ def parse_csv(text: str) -> list[Candidate]:
     r"""Find the polygons of a table.
 
     Args:
-        text: one vertex per row, in columns x and y, or in the first two without a header. A column
-            "name", "id" or "part" names the polygon, "polygon" distinguishes polygons of one name,
-            "ring" has one value for the exterior, which comes first, and one for each hole. Or one
-            polygon per row in a column "wkt" or "geometry", or one rectangle with columns "width"
-            and "height", "w" and "h", or "lx" and "ly". Commas, semicolons or tabs separate
-            columns; with the latter two, a comma may be the decimal point.
-
-    Returns:
-        list of Candidate, in order; a ring may be closed or not.
+        text: one vertex per row, in columns x and y, or without a header in the first two. A column
+            "name", "id" or "part" names the polygon, "polygon" distinguishes polygons with equal
+            names, and "ring" distinguishes rings, the exterior first. Alternatively, one polygon
+            per row in a column "wkt" or "geometry", or one rectangle with "width" and "height",
+            "w" and "h", or "lx" and "ly". Commas, semicolons or tabs separate columns; with the
+            latter two, the decimal point may be a comma.
 
     Raises:
         FormatError: a short row, or a repeated column.
@@ -69,7 +66,7 @@ def parse_csv(text: str) -> list[Candidate]:
         >>> [(c.name, len(c.vertices())) for c in parse_csv("name,x,y\na,0,0\na,1,0\na,0,1\n")]
         [('a', 3)]
     """
-    # A number may exceed Python's limit of 131,072 characters, which is global.
+    # Numbers may exceed Python's global limit of 131,072 characters.
     with _limit_held:
         before = csv.field_size_limit()
         csv.field_size_limit(max(before, len(text)))
@@ -158,7 +155,7 @@ def _vertices(cells: Sequence[tuple[int, str, str]]) -> list[Point]:
 
 
 def write_csv_rows(rows: Iterable[Sequence[object]]) -> str:
-    """Write rows as lines of CSV."""
+    """Format rows as CSV."""
     text = StringIO()
     csv.writer(text, lineterminator="\n").writerows(rows)
     return text.getvalue()

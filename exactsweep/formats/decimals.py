@@ -1,4 +1,4 @@
-"""Decimal numbers in files, read and written exactly."""
+"""Exact reading and writing of decimal numbers."""
 
 import re
 from contextlib import suppress
@@ -10,9 +10,9 @@ from exactsweep.numbers.digits import abridge, format_fraction, write_int
 from exactsweep.numbers.error import NumberError, quote
 from exactsweep.numbers.number import Point, to_fraction
 
-# Possessive, so that a long number with a letter at its end is not tried again for each digit.
+# Possessive, so that a long number followed by a letter fails in linear time.
 DECIMAL = r"[+-]?(?:[0-9]++\.?+[0-9]*+|\.[0-9]++)(?:[eE][+-]?[0-9]++)?+"
-"""A pattern of the numbers that `read_decimal` reads."""
+"""The pattern of `read_decimal`."""
 
 _DECIMAL = re.compile(DECIMAL)
 _DECIMALS = re.compile(rf"(?:[\s,]*+{DECIMAL})*+[\s,]*+")
@@ -21,7 +21,7 @@ _PARTS = re.compile(r"(-?)\+?([0-9.]*)(.*)")
 
 
 def read_decimal(text: str) -> Fraction:
-    """Read a decimal as WKT, SVG and DXF have them; raises FormatError for anything else.
+    """Read a decimal of WKT, SVG or DXF; raises FormatError for anything else.
 
     >>> read_decimal("+.5"), read_decimal("007.e-2")
     (Fraction(1, 2), Fraction(7, 100))
@@ -30,7 +30,7 @@ def read_decimal(text: str) -> Fraction:
         if "/" not in text:
             return to_fraction(text)
     except NumberError:
-        # Not as in JSON, or too long, which the second attempt reports.
+        # Not JSON syntax, or too long; the second attempt reports that.
         pass
     if not _DECIMAL.fullmatch(text):
         raise FormatError(f"{quote(text)} is not a decimal number")
@@ -40,7 +40,7 @@ def read_decimal(text: str) -> Fraction:
 
 
 def read_decimals(text: str) -> list[Fraction]:
-    """Read decimals between blanks and commas; separators may be missing before a sign or point."""
+    """Read decimals separated by blanks or commas, optionally before a sign or point."""
     if not _DECIMALS.fullmatch(text):
         raise FormatError(f"{quote(text)} is not a list of decimal numbers")
     return [*map(read_decimal, _DECIMAL.findall(text))]
@@ -55,12 +55,12 @@ def read_points(text: str) -> list[Point]:
 
 
 def count_decimals(text: str) -> int:
-    """Count the numbers that `read_decimals` reads, without keeping them."""
+    """Count the numbers of `read_decimals` without reading them."""
     return sum(1 for _ in _DECIMAL.finditer(text))
 
 
 def format_decimal(value: Fraction) -> str:
-    """Write a number as an exact decimal; raises FormatError for one such as 1/3.
+    """Format a number as an exact decimal; raises FormatError if it has none, like 1/3.
 
     >>> format_decimal(Fraction(-7, 2)), format_decimal(Fraction(1, 1024))
     ('-3.5', '0.0009765625')
@@ -69,7 +69,7 @@ def format_decimal(value: Fraction) -> str:
         return format_fraction(value)
     twos = (value.denominator & -value.denominator).bit_length() - 1
     rest = value.denominator >> twos
-    # At most one power of five has this number of bits.
+    # At most one power of five has this many bits.
     fives = ceil((rest.bit_length() - 1) / log2(5))
     if 5**fives != rest:
         raise FormatError(f"{abridge(value)} is not a finite decimal")
@@ -81,7 +81,7 @@ def format_decimal(value: Fraction) -> str:
 
 
 def show_point(point: Point) -> str:
-    """Write a point for a message: decimals as a file has them, long ones rounded.
+    """Format a point for a message: short decimals exactly, others rounded.
 
     >>> show_point(Point(Fraction(1, 8), Fraction(1, 3)))
     '(0.125,0.3333333333)'
@@ -90,7 +90,7 @@ def show_point(point: Point) -> str:
 
 
 def show_number(value: Fraction) -> str:
-    """Write a number for a message, as `show_point` does."""
+    """Format a number for a message, like `show_point`."""
     if value.denominator == 1 and abs(value) < 10**_SHOWN:
         return str(value)
     with suppress(FormatError):

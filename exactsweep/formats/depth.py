@@ -1,7 +1,6 @@
-"""Nesting of outlines: polygons, holes in them, polygons in holes, and so on.
+"""Nesting of outlines: polygons, their holes, polygons in these holes, and so on.
 
-Outlines may cross, as those of parts that overlap. Then only an outline inside two that cross is
-ambiguous.
+Outlines may cross, since parts may overlap; one inside two crossing outlines is ambiguous.
 """
 
 from __future__ import annotations
@@ -26,11 +25,11 @@ class Nested(NamedTuple):
     """Outlines after nesting.
 
     Attributes:
-        outlines: one for each ring inside an even number of others, with the rings just inside as
-            holes, and one for each ring that is not a simple polygon.
+        outlines: one for each ring inside an even number of others, with the rings directly inside
+            as holes, and one for each ring that is not simple.
         holes: pairs of an outline that became a hole and the outline around it.
         islands: pairs of a polygon in a hole and that hole.
-        ambiguous: pairs of an outline and two crossing outlines around it, not among `outlines`.
+        ambiguous: pairs of an outline and two crossing outlines around it, not in `outlines`.
     """
 
     outlines: list[Candidate]
@@ -40,10 +39,9 @@ class Nested(NamedTuple):
 
 
 def nest_candidates(outlines: Sequence[Candidate]) -> list[Candidate]:
-    """Turn outlines inside others into holes, by depth; ornaments stay apart.
+    """Turn outlines at odd depth into holes; reject ambiguous ones, and ignore ornaments.
 
-    An outline inside two crossing ones is rejected. If one outline is not a simple polygon, all
-    are, because the holes are unknown.
+    If one outline is not a simple polygon, all are rejected, because it might be a hole.
     """
     plain = [outline for outline in outlines if not outline.ornament]
     try:
@@ -51,7 +49,7 @@ def nest_candidates(outlines: Sequence[Candidate]) -> list[Candidate]:
             for ring in (outline, *outline.holes()):
                 ring._replace(holes=tuple).polygon()
     except ValueError as error:
-        reason = f"nested outlines are read together: {error}"
+        reason = f"cannot nest the outlines: {error}"
         return [one if one.ornament else one.rejected(reason) for one in outlines]
     found = nest_outlines(plain)
     refused = [one.rejected(tell_ambiguity(one, around)) for one, around in found.ambiguous]
@@ -59,13 +57,13 @@ def nest_candidates(outlines: Sequence[Candidate]) -> list[Candidate]:
 
 
 def nest_lines(outlines: Sequence[Candidate]) -> list[Candidate]:
-    """Turn the outlines of one drawn shape into regions with holes; ambiguous ones stay apart."""
+    """Turn the outlines of one shape into regions with holes; ambiguous ones remain separate."""
     found = nest_outlines(outlines)
     return [*found.outlines, *(outline for outline, _ in found.ambiguous)]
 
 
 def separate_holes(outline: Candidate) -> tuple[Region, list[Region]]:
-    """Read an outline, and holes that touch or cross it or each other as regions."""
+    """Read an outline; return holes that touch or cross other rings as regions."""
     try:
         return outline.region(), []
     except PolygonError:
@@ -83,7 +81,7 @@ def tell_ambiguity(outline: Candidate, around: Sequence[Candidate]) -> str:
 
 
 def tell_place(outline: Candidate) -> str:
-    """Return the place of an outline with its name or layer, for messages."""
+    """Return the location of an outline and its name, for messages."""
     if outline.name and quote(outline.name) not in outline.place:
         return f"{outline.place or 'outline'} {quote(outline.name)}"
     return outline.place or "the exterior"
@@ -92,12 +90,11 @@ def tell_place(outline: Candidate) -> str:
 def nest_outlines(outlines: Sequence[Candidate]) -> Nested:
     """Turn outlines, which may cross, into polygons with holes.
 
-    An outline inside an odd number of others is a hole of the innermost one, one inside an even
-    number a polygon. Of equal outlines inside the same polygon the first is a hole, and the others
-    are polygons in it; other equal outlines are polygons on top of each other.
+    An outline inside an odd number of others is a hole of the innermost one, otherwise a polygon.
+    Of equal outlines inside the same polygon, the first is a hole and the others are polygons in
+    it; other equal outlines are overlapping polygons.
 
-    Cost: O(m n) at worst for each pair of rings of m and n vertices of which one box is inside the
-        other.
+    Cost: at worst O(m n) for each pair of rings with m and n vertices and nested bounding boxes.
     """
     rings: list[_OwnedRing] = []
     for outline in outlines:
@@ -115,7 +112,7 @@ def nest_outlines(outlines: Sequence[Candidate]) -> Nested:
     holes: defaultdict[int, list[int]] = defaultdict(list)
     exteriors: list[int] = []
     ambiguous, islands = [], []
-    # For each group of equal rings, the depth just inside, and the polygons whose holes are there.
+    # For each group of equal rings, the depth directly inside, and the polygons with holes there.
     inside: dict[int, tuple[int, list[int]]] = {}
     for group in tree.groups:
         first = group[0]
@@ -161,7 +158,7 @@ def nest_outlines(outlines: Sequence[Candidate]) -> Nested:
 
 
 class _OwnedRing(NamedTuple):
-    """A ring of an outline, its polygon, and its own exterior."""
+    """A ring, its polygon if simple, and for a given hole the index of its exterior."""
 
     outline: Candidate
     polygon: Polygon | None
@@ -200,12 +197,12 @@ def _find_polygon(ring: Candidate) -> Polygon | None:
 
 
 class _Nesting(NamedTuple):
-    """Polygons by the rings around them; the first of equal ones stands for all.
+    """The nesting of polygons; the first of equal ones represents all.
 
     Attributes:
-        parents: for each the innermost one around it, or None.
-        crossings: two crossing ones, for each inside both.
-        groups: equal ones, the largest first.
+        parents: for each polygon the innermost one around it, or None.
+        crossings: for each polygon inside two crossing ones, these two.
+        groups: groups of equal polygons, the largest first.
     """
 
     parents: dict[int, int | None]
@@ -224,7 +221,7 @@ def _nest(rings: Sequence[Polygon | None]) -> _Nesting:
     crossings: dict[int, tuple[int, int]] = {}
     groups: dict[int, list[int]] = {}
     for place, k in enumerate(order):
-        # From the smallest to the largest, without those known to be around the first one.
+        # From small to large, skipping those known to contain the first one.
         chain: set[int] = set()
         around: list[int] = []
         for i in sorted((i for i in rows.find(boxes[place]) if i < place), reverse=True):

@@ -4,8 +4,8 @@ from exactsweep.numbers.error import ExactSweepError
 
 
 class FormatError(ExactSweepError):
-    """Input that cannot be read or output that a format cannot hold; the message says where."""
+    """Unreadable input, or output that a format cannot represent; the message says where."""
 
 
 class OrnamentError(FormatError):
-    """An element that cannot be part of an outline, and can be omitted without loss."""
+    """An element that cannot be part of an outline; omitting it loses nothing."""

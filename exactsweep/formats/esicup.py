@@ -1,4 +1,4 @@
-"""Reader of ESICUP's XML of nesting instances: boards and pieces."""
+"""Reader of nesting instances in ESICUP XML."""
 
 from __future__ import annotations
 
@@ -16,12 +16,12 @@ if TYPE_CHECKING:
 
 
 def is_esicup(root: Element) -> bool:
-    """Decide whether an XML document is an instance of ESICUP."""
+    """Whether an XML document is an ESICUP instance."""
     return _find_kind(root) == "nesting"
 
 
 def read_esicup(root: Element) -> list[Candidate]:
-    """Find the boards and pieces of an instance; each is named by its id."""
+    """Find the boards and pieces of an instance, named by their ids."""
     polygons = {one.get("id", ""): one for one in root.iter() if _find_kind(one) == "polygon"}
     return [_read_piece(one, polygons) for one in root.iter() if _find_kind(one) == "piece"]
 
@@ -36,7 +36,7 @@ def _read_piece(piece: Element, polygons: dict[str, Element]) -> Candidate:
     place = f"piece {quote(name)}"
     try:
         if len(components) != 1:
-            raise FormatError(f"{len(components)} components, which are not one outline")
+            raise FormatError(f"{len(components)} components; only one is supported")
         component = components[0]
         polygon = polygons.get(component.get("idPolygon", ""))
         if polygon is None:

@@ -1,4 +1,4 @@
-"""Reader of JSON whose numbers never become floats."""
+"""JSON without floats."""
 
 import json
 from collections.abc import Callable
@@ -15,7 +15,7 @@ from exactsweep.numbers.number import Point, to_fraction
 
 
 def parse_json(text: str) -> object:
-    """Parse JSON, and keep all numbers, NaN and Infinity included, as text.
+    """Parse JSON, keeping all numbers, even NaN and Infinity, as text.
 
     Raises:
         FormatError: not JSON, nested too deeply, a duplicate key, or too large.
@@ -28,12 +28,12 @@ def parse_json(text: str) -> object:
 
 
 def parse_certificate(text: str) -> object:
-    """Parse a certificate: JSON whose integers are indices, and become ints."""
+    """Parse a certificate, whose JSON integers are indices."""
     return _parse(text, None)
 
 
 def read_vertices(value: object, path: str) -> list[Point]:
-    """Read a list of pairs of numbers, or of objects of "x" and "y"; messages start with the path.
+    """Read a list of pairs, or of objects with "x" and "y"; errors start with the path.
 
     >>> read_vertices(parse_json("[[0.5, 2]]"), "$")
     [Point(x=Fraction(1, 2), y=Fraction(2, 1))]
@@ -44,19 +44,19 @@ def read_vertices(value: object, path: str) -> list[Point]:
 
 
 def describe_kind(value: object) -> str:
-    """Name the kind of a JSON value."""
+    """Describe a JSON value for a message."""
     if isinstance(value, (dict, list)):
         return "an object" if isinstance(value, dict) else "a list"
     return json.dumps(value) if value is None or isinstance(value, bool) else quote(value)
 
 
 def count_vertices(text: str) -> int:
-    """Count the possible vertices; each has its own bracket or brace."""
+    """Bound the number of vertices by the brackets and braces."""
     return text.count("[") + text.count("{")
 
 
 def measure_file(path: str) -> int:
-    """Return `parsing.measure_written` of a file of JSON lines, one line in memory at a time."""
+    """Return `parsing.measure_written` for a file of JSON lines, reading line by line."""
     vertices = numbers = 0
     with Path(path).open(encoding="utf-8") as lines:
         for line in lines:
@@ -84,15 +84,15 @@ def _parse(text: str, number: Callable[[str], object] | None) -> object:
     except RecursionError:
         raise FormatError("nested too deeply") from None
     except ValueError as error:
-        # The interpreter's limit on the digits of an int.
-        raise FormatError(f"not JSON that can be read: {error}") from None
+        # An int exceeds the digit limit of the interpreter.
+        raise FormatError(f"unreadable JSON: {error}") from None
     return document
 
 
 def _without_repeats(pairs: list[tuple[str, object]]) -> dict[str, object]:
     found: dict[str, object] = {}
     for name, value in pairs:
-        # JSON does not define which of the two counts.
+        # JSON leaves the meaning undefined.
         if name in found:
             raise FormatError(f"duplicate key {quote(name)}")
         found[name] = value
@@ -100,7 +100,7 @@ def _without_repeats(pairs: list[tuple[str, object]]) -> dict[str, object]:
 
 
 def read_point(pair: object, path: str) -> Point:
-    """Read a pair of numbers, or an object of "x" and "y"."""
+    """Read a pair of numbers, or an object with "x" and "y"."""
     for names in (("x", "y"), ("X", "Y")):
         if isinstance(pair, dict) and pair.keys() == set(names):
             return Point(*(read_number(pair[name], f"{path}.{name}") for name in names))
@@ -112,7 +112,7 @@ def read_point(pair: object, path: str) -> Point:
 
 
 def read_number(value: object, path: str) -> Fraction:
-    """Read a number that `parse_json` kept as text; the path is for messages."""
+    """Read a number that `parse_json` kept as text."""
     if not isinstance(value, str):
         raise FormatError(f"{path} is {describe_kind(value)}, not a number")
     with name_refusals(path, FormatError):
@@ -121,25 +121,22 @@ def read_number(value: object, path: str) -> Fraction:
 
 @tells_arguments
 def read_certificate(path: str) -> object:
-    """Read a certificate for `exactsweep.check.verify` from a file, or from standard input for "-".
+    """Read a certificate for `exactsweep.check.verify` from a file, or standard input for "-".
 
     Raises:
-        FormatError: an unreadable file, or not JSON; the message names the file.
-
-    Example:
-        >>> certificate = read_certificate("proof.json")  # doctest: +SKIP
+        FormatError: an unreadable file, or not JSON.
     """
     with name_refusals(show_path(path), FormatError):
         return parse_certificate(read_text(path))
 
 
 def quote_fraction(value: Fraction) -> str:
-    """Write a number as an exact string of JSON."""
+    """Format a number as an exact JSON string."""
     return f'"{format_fraction(value)}"'
 
 
 def write_json(value: object, number: Callable[[Fraction], str] = quote_fraction) -> str:
-    """Write plain data, Fractions and Polygons as JSON on one line.
+    """Format plain data, Fractions and Polygons as JSON on one line.
 
     >>> write_json({"a": [Fraction(1, 3), 2]})
     '{"a": ["1/3", 2]}'

@@ -12,7 +12,7 @@ from exactsweep.formats.size import require_size
 from exactsweep.numbers.error import ExactSweepError, quote, tells_arguments
 from exactsweep.numbers.limits import get_max_bytes
 
-# Possessive, so that the pattern passes endless blank lines and comments only once.
+# Possessive, to match long runs of blank lines and comments in linear time.
 DXF_SIGN = re.compile(r"(?:\s*+999[^\S\n]*+\n[^\n]*+\n)*+\s*+0[^\S\n]*+\n\s*+SECTION\b")
 """The pattern at the start of a DXF text."""
 _MOST_SHOWN = 400
@@ -26,14 +26,14 @@ def read_text(path: str) -> str:
     """Read a whole file, or standard input for "-", without a byte order mark.
 
     Raises:
-        FormatError: unreadable, beyond `limits`, or neither UTF-8, DXF nor declared XML.
+        FormatError: unreadable, too large, or in an unknown encoding.
     """
     if not isinstance(path, str):
-        # `open` would interpret a number as an open file.
+        # `open` would interpret an int as a file descriptor.
         raise FormatError(f"{quote(path)} is not a path")
     try:
         with _open(path) as file:
-            # One byte above the limit is enough, even of an endless device.
+            # One byte more proves the excess, even for an endless device.
             data = file.read(get_max_bytes() + 1)
     except OSError as error:
         raise FormatError(error.strerror or str(error)) from None
@@ -51,7 +51,7 @@ def read_text(path: str) -> str:
         if declared := _XML_ENCODING.match(data):
             with suppress(ValueError, LookupError):
                 return data.decode(declared[1].decode())
-        # Older DXF has a code page, which affects names of layers only.
+        # The code page of older DXF affects only layer names.
         latin = data.decode("latin-1")
         if DXF_SIGN.match(latin):
             return latin
@@ -70,7 +70,7 @@ def decode_text(data: bytes) -> str:
 
 @tells_arguments
 def show_path(path: str) -> str:
-    """Write a path for a message on one line; of a very long one, both ends.
+    """Format a path for a message, on one line; a very long one is abbreviated.
 
     >>> show_path("-"), show_path(f"two{chr(10)}lines") == ascii(f"two{chr(10)}lines")
     ('standard input', True)
@@ -97,14 +97,14 @@ def _open(path: str) -> Iterator[BinaryIO]:
 
 @contextmanager
 def open_bytes(path: str) -> Iterator[BinaryIO]:
-    """Open a file, or standard input, in binary mode; FormatErrors name it."""
+    """Open a file, or standard input, in binary mode; errors name it."""
     with name_failures(path), _open(path) as file:
         yield file
 
 
 @contextmanager
 def name_failures(path: str, refusal: type[ExactSweepError] = FormatError) -> Iterator[None]:
-    """Turn an OSError inside a `with` block into an error that names the file."""
+    """Convert an OSError inside a `with` block into an error that names the file."""
     try:
         yield
     except OSError as error:
@@ -112,7 +112,7 @@ def name_failures(path: str, refusal: type[ExactSweepError] = FormatError) -> It
 
 
 def split_lines(file: BinaryIO) -> Iterator[bytes]:
-    """Yield the lines of a file; cut one that exceeds the limit a byte above it."""
+    """Yield the lines of a file; truncate a line to one byte more than the limit."""
     most = get_max_bytes()
     while line := file.readline(most + 1):
         yield line

@@ -1,9 +1,9 @@
-"""The regions filled by rings that may cross or touch themselves or each other.
+"""Regions filled by rings that may cross or touch themselves and each other.
 
-All edges are cut where they meet. A sweep line finds the winding numbers on both sides of each
-piece; pieces with the filled area on one side are its boundary. Tracing the boundary with the area
-on the left, and taking the next piece clockwise at each vertex, yields the faces. Faces are cut
-into two rings at vertices that they visit twice.
+Edges are cut where they meet. A sweep line finds the winding numbers on both sides of each piece;
+pieces with the filled area on one side only form the boundary. Tracing it with the area on the
+left, always to the next piece clockwise, yields the faces. A face that visits a vertex twice is cut
+into two rings there.
 """
 
 from __future__ import annotations
@@ -24,10 +24,10 @@ from exactsweep.geometry.vectors import angle_key, compare_angles, minus, orient
 from exactsweep.numbers.number import Edge, Point, Rational, Vertex
 
 MAX_PAIRS = 5_000_000
-"""Maximum number of pairs of near edges; each cut of an edge counts as 20."""
+"""Maximum number of pairs of nearby edges; each cut of an edge counts as 20."""
 
 Rule = Literal["nonzero", "evenodd", "positive"]
-"""A fill rule: which winding numbers are inside."""
+"""A fill rule: the winding numbers of filled points."""
 
 _IS_FILLED: dict[Rule, Callable[[int], bool]] = {
     "nonzero": lambda number: number != 0,
@@ -37,12 +37,12 @@ _IS_FILLED: dict[Rule, Callable[[int], bool]] = {
 
 
 class Filled(NamedTuple):
-    """The regions that some rings fill.
+    """Filled regions.
 
     Attributes:
-        regions: of each, the exterior, counter-clockwise, and the holes.
-        touching: whether edges coincide, or meet elsewhere than at ends.
-        hidden: a bound on the squared distance of edges inside from the boundary, if measured.
+        regions: for each the exterior, counter-clockwise, and the holes.
+        touching: whether edges coincide, or meet anywhere but at common ends.
+        hidden: a bound on the squared distance of interior edges from the boundary, if measured.
     """
 
     regions: list[list[list[Point]]]
@@ -54,17 +54,17 @@ def fill(rings: Sequence[Sequence[Point]], rule: Rule, *, measured: bool = False
     """Find the regions that rings fill.
 
     Args:
-        rings: the vertices of each ring; the first one may be repeated at the end.
-        rule: the filled points: those with a winding number that is not 0, odd or positive.
-        measured: whether to measure `hidden` where rings touch.
+        rings: the vertices of each ring; the last may repeat the first.
+        rule: whether nonzero, odd or positive winding numbers are filled.
+        measured: whether to compute `hidden` if edges touch.
 
     Returns:
-        A Filled; regions in the order in which their exteriors are drawn.
+        A Filled, with the regions in drawing order.
 
     Raises:
         PolygonError: too many edges cross or are close together, by MAX_PAIRS.
 
-    Cost: O((n + k) log n) for n edges and k points where they meet, if the sweep line meets few.
+    Cost: O((n + k) log n) for n edges and k intersections, if the sweep line crosses few edges.
 
     >>> bow = [Point(*map(Fraction, p)) for p in [(0, 0), (2, 2), (2, 0), (0, 2)]]
     >>> [[*map(find_doubled_area, rings)] for rings in fill([bow], "nonzero").regions]
@@ -94,7 +94,7 @@ def fill(rings: Sequence[Sequence[Point]], rule: Rule, *, measured: bool = False
 
 
 def _cut(numbers: Mapping[Edge, int]) -> dict[Edge, int]:
-    """Cut edges where they meet; return how often each piece is drawn to the right."""
+    """Cut edges where they meet; return how often each piece is drawn to the right, net."""
     edges = [*numbers]
     boxes = [(a[0], b[0], min(a[1], b[1]), max(a[1], b[1])) for a, b in edges]
     cuts: defaultdict[int, set[Vertex]] = defaultdict(set)
@@ -116,7 +116,7 @@ def _cut(numbers: Mapping[Edge, int]) -> dict[Edge, int]:
 
 
 def _meet(one: Edge, other: Edge) -> Iterator[Vertex]:
-    """Yield the point where two edges meet, or the ends of what they share."""
+    """Yield the intersection of two edges, or the ends of their common segment."""
     (a, b), (p, q) = one, other
     of_p, of_q, of_a, of_b = (
         orientation(a, b, p),
@@ -142,12 +142,12 @@ def _simplify(value: Rational) -> Rational:
 
 
 class _Wound(NamedTuple):
-    """Pieces by the winding numbers on both of their sides.
+    """Classified pieces.
 
     Attributes:
-        boundary: pieces with the filled area on their left only.
-        inside: other pieces with a winding number.
-        below: for each of the boundary, from left to right, the next one below its start.
+        boundary: pieces with the filled area on the left only.
+        inside: other pieces next to a nonzero winding number.
+        below: for each boundary piece, from left to right, the next one below its start.
     """
 
     boundary: list[Edge]
@@ -156,7 +156,7 @@ class _Wound(NamedTuple):
 
 
 def _wind(numbers: Mapping[Edge, int], is_filled: Callable[[int], bool]) -> _Wound:
-    """Find the winding numbers on both sides of each piece."""
+    """Classify pieces by the winding numbers on both sides, with a sweep line."""
     starting: defaultdict[Vertex, list[Edge]] = defaultdict(list)
     vertices = set()
     for a, b in numbers:
@@ -196,7 +196,7 @@ def _compare_slopes(one: Edge, other: Edge) -> int:
 
 
 def _walk(boundary: Sequence[Edge]) -> Iterator[list[Vertex]]:
-    """Yield the rings of the boundary, the area on their left."""
+    """Yield the rings of the boundary, with the area on the left."""
     leaving: defaultdict[Vertex, list[Vertex]] = defaultdict(list)
     for a, b in boundary:
         leaving[a].append(b)
@@ -222,7 +222,7 @@ def _walk(boundary: Sequence[Edge]) -> Iterator[list[Vertex]]:
 
 
 def _find_next(a: Vertex, b: Vertex, ends: Sequence[Vertex]) -> Vertex:
-    """Return the end of the next edge clockwise from the edge back."""
+    """Return the end of the next edge clockwise from the edge (b, a)."""
     if len(ends) == 1:
         return ends[0]
     back = minus(a, b)
@@ -242,7 +242,7 @@ def _gather(
     for k in sorted(set(range(len(rings))) - found.keys(), key=lambda k: min(rings[k])):
         chain = [k]
         while chain[-1] not in exteriors:
-            # Below the lower edge at the least vertex of a hole is its exterior or another hole.
+            # Below the least vertex of a hole is its exterior or another hole.
             ring = rings[chain[-1]]
             i = ring.index(min(ring))
             under = below[ring[i], ring[i - 1]]
@@ -255,7 +255,7 @@ def _gather(
 
 
 def _measure(inside: Sequence[Edge], boundary: Sequence[Edge]) -> Fraction:
-    """Bound the squared distance of edges from a boundary, by one end and the length of each."""
+    """Bound the squared distance of edges from the boundary, by one end and the length of each."""
     most = Fraction(0)
     for a, b in inside:
         x, y = minus(b, a)

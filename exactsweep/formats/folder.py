@@ -1,4 +1,4 @@
-"""Polygons of files, folders and patterns of file names, with names and omissions."""
+"""Polygons of files, folders and file name patterns."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ ENDINGS = (".json", ".jsonl", ".geojson", ".wkt", ".csv", ".svg", ".dxf")
 
 
 class ListedPart(NamedTuple):
-    """A candidate with its name, not necessarily unique, and the name of its file."""
+    """A candidate, its name, possibly not unique, and its file name."""
 
     name: str
     file: str
@@ -31,7 +31,7 @@ class ListedPart(NamedTuple):
 
 
 class Listing(NamedTuple):
-    """The contents of files: their number, parts, omissions, notes and coordinates."""
+    """The number of files and their contents."""
 
     files: int
     parts: list[ListedPart]
@@ -43,11 +43,11 @@ class Listing(NamedTuple):
 def find_files(path: str) -> list[str]:
     """Find the files of a path, folder or pattern such as `parts/*.dxf`, sorted.
 
-    An existing file has priority over a pattern; `**` matches any folders. Of a folder, these are
-    the files in it and below with a suffix of ENDINGS, without hidden ones.
+    An existing file has priority over a pattern; `**` matches any folders. A folder yields the
+    files in its tree with a suffix of ENDINGS, without hidden ones.
 
     Raises:
-        FormatError: no such files.
+        FormatError: no file found.
 
     Example:
         >>> find_files("part.json"), find_files("-")
@@ -79,15 +79,14 @@ def list_parts(
     """Find the polygons of files, folders and patterns, and name them.
 
     Args:
-        paths: each as for `find_files`, optionally with "#" and a choice that applies to each file.
+        paths: each as for `find_files`, optionally with "#" and a choice for each file.
         tolerance: as for `exactsweep.formats.parse_polygons`.
-        options: likewise.
+        options: as for `exactsweep.formats.parse_polygons`.
 
     Returns:
-        A Listing. A polygon's name is the first of: its id, its layer, the file's name if it is the
-        only one in the file, its index. With several files, the file's name comes first, as in
-        "left.dxf#cut". If Y points down in some files and up in others, it is flipped in the
-        former, with a note.
+        A Listing. The name of a polygon is its id, its layer, the file name if the file has no
+        other, or its index. With several files, names start with the file name, as in
+        "left.dxf#cut". If Y points down in some files only, it is flipped there, with a note.
 
     Raises:
         FormatError: no file can be read.
@@ -125,9 +124,9 @@ _Turned = TypeVar("_Turned", Candidate, NamedRegion)
 
 
 def bring_to_one(files: Sequence[tuple[str, PartList[_Turned]]]) -> tuple[Coordinates, list[str]]:
-    """Flip the Y axis of files in which it points down if it points up in others.
+    """Flip Y in files in which it points down if it points up in others.
 
-    Returns the coordinates of all files, without a unit if they have several, and notes.
+    Returns the common coordinates, without a unit if the units differ, and notes.
     """
     systems = {found.coordinates for _, found in files}
     notes = []
@@ -152,7 +151,7 @@ def _split_files(path: str) -> Iterator[tuple[str, str]]:
 
 
 def make_unique(names: Sequence[str]) -> list[str]:
-    """Append a number to repeated names: the least that makes the name unique.
+    """Append to repeated names the least number that makes them unique.
 
     >>> make_unique(["cut", "cut", "cut-2", "cut"])
     ['cut', 'cut-3', 'cut-2', 'cut-4']

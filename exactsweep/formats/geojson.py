@@ -1,4 +1,4 @@
-"""Reader of GeoJSON (RFC 7946): Polygons with their holes, at any depth of a document."""
+"""Reader of GeoJSON (RFC 7946): Polygons with holes, at any depth."""
 
 from __future__ import annotations
 
@@ -19,9 +19,9 @@ _VERTICES = "a list of vertices"
 def read_geojson(
     document: Mapping[str, object], path: str = "$", notes: dict[str, None] | None = None
 ) -> list[Candidate]:
-    """Find the Polygons of a GeoJSON document of `parse_json`, named by the ids of their Features.
+    """Find the Polygons of a document parsed by `parse_json`; Feature ids are their names.
 
-    Other geometries and open rings become candidates that raise.
+    Other geometries and open rings become rejected candidates.
 
     Raises:
         FormatError: an invalid id, a collection without a list, or too deep nesting.
@@ -64,7 +64,7 @@ def _outline(node: JsonNode, name: str | None, notes: dict[str, None]) -> Candid
     if not rings:
         return Candidate.refused(f"{node.path} is empty", name)
     if level != rings:
-        notes["third coordinates, which are heights, are ignored"] = None
+        notes["third coordinates (heights) are ignored"] = None
     readers = ((ring.path, partial(_ring, *ring)) for ring in level)
     return Candidate.of_rings(readers, node.path, name)
 

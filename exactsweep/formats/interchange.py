@@ -1,4 +1,4 @@
-"""Conversion from and to shapely and numpy; `Polygon` itself converts sympy's polygons."""
+"""Conversion from and to shapely and numpy; `Polygon` itself accepts sympy polygons."""
 
 from __future__ import annotations
 
@@ -31,17 +31,17 @@ class HasGeoInterface(Protocol):
 
 @tells_arguments
 def from_shapely(geometry: shapely.Polygon) -> AnyPolygon:
-    """Read a polygon of shapely; its floats keep their exact binary values.
+    """Convert a shapely polygon; floats keep their exact binary values.
 
     Args:
         geometry: a shapely Polygon or LinearRing. Z coordinates are dropped, with a warning.
 
     Returns:
-        A Polygon, or a Region if there are interiors.
+        A Polygon, or a Region if there are holes.
 
     Raises:
         FormatError: another geometry.
-        PolygonError, NumberError: as by `Region`.
+        PolygonError, NumberError: as for `Region`.
 
     Example:
         >>> import shapely
@@ -50,7 +50,7 @@ def from_shapely(geometry: shapely.Polygon) -> AnyPolygon:
     """
     kind = getattr(geometry, "geom_type", type(geometry).__name__)
     if kind not in ("Polygon", "LinearRing"):
-        raise FormatError(f"{kind} is not a polygon of shapely")
+        raise FormatError(f"{kind} is not a shapely polygon")
     if geometry.is_empty:
         raise FormatError("the polygon is empty")
     found = Region(geometry)
@@ -59,10 +59,10 @@ def from_shapely(geometry: shapely.Polygon) -> AnyPolygon:
 
 @tells_arguments
 def parts_from_shapely(geometries: Iterable[shapely.Geometry]) -> PartList[NamedRegion]:
-    """Read all polygons of geometries of shapely, each as a separate part.
+    """Convert all polygons in shapely geometries to separate parts.
 
     Args:
-        geometries: a MultiPolygon or a collection, several geometries, or a GeoSeries of geopandas,
+        geometries: a MultiPolygon or a collection, several geometries, or a geopandas GeoSeries,
             whose index names the parts.
 
     Returns:
@@ -85,7 +85,7 @@ def parts_from_shapely(geometries: Iterable[shapely.Geometry]) -> PartList[Named
 
 
 def _list_parts(geometries: Any, name: str | None = None) -> Iterator[tuple[str | None, Any]]:
-    """Find single geometries in nested ones, with the names that a series gives them."""
+    """Flatten nested geometries; the index of a series names its elements."""
     if hasattr(geometries, "geoms"):
         geometries = geometries.geoms
     if hasattr(geometries, "geom_type") and not hasattr(geometries, "items"):
@@ -100,13 +100,13 @@ def _list_parts(geometries: Any, name: str | None = None) -> Iterator[tuple[str 
 
 @tells_arguments
 def from_wkt(text: str) -> AnyPolygon:
-    """Read one POLYGON of WKT exactly, or a MULTIPOLYGON of one.
+    """Read a WKT POLYGON exactly, or a MULTIPOLYGON with one element.
 
     Returns:
-        A Polygon, or a Region if there are inner rings.
+        A Polygon, or a Region if there are holes.
 
     Raises:
-        FormatError: not WKT, or several polygons, which `parse_regions` reads.
+        FormatError: not WKT, or several polygons; `parse_regions` reads these.
         PolygonError: not a region.
 
     Example:
@@ -118,25 +118,25 @@ def from_wkt(text: str) -> AnyPolygon:
 
 @tells_arguments
 def to_shapely(shape: HasGeoInterface, *, nearest: bool = False) -> shapely.Geometry:
-    """Make a geometry of shapely, whose coordinates are floats.
+    """Convert a shape or an answer to a shapely geometry, with floats as coordinates.
 
     Args:
         shape: a Polygon, a Region, a Polyline, or an answer: a Sweep (its area), a NoFitPolygon, an
             InnerFit, or a Layout (its placed parts).
-        nearest: whether to round other numbers to the nearest float, which may make edges cross.
+        nearest: whether to round to the nearest float; edges may then cross.
 
     Returns:
         A shapely Polygon; for an InnerFit a MultiPolygon; for an answer with exact fits and for a
         Layout a GeometryCollection; for a Polyline a LineString or Point.
 
     Raises:
-        FormatError: a coordinate is not a float, unless `nearest`; or it is beyond all floats.
+        FormatError: a coordinate is not a float, and not `nearest`; or it exceeds the float range.
 
     Example:
         >>> print(to_shapely(Polygon([(0, 0), ("1/2", 0), (0, 1)])))
         POLYGON ((0 0, 0.5 0, 0 1, 0 0))
     """
-    with require_imports("shapely", "a geometry of shapely", FormatError):
+    with require_imports("shapely", "a shapely geometry", FormatError):
         import shapely.geometry
 
     if not isinstance(shape, (Polygon, Region)):
@@ -164,14 +164,14 @@ def _to_floats(node: Any, nearest: bool) -> Any:
 
 @tells_arguments
 def from_numpy(array: numpy.ndarray) -> Polygon:
-    """Read a polygon from an array of shape (n, 2).
+    """Convert an array of shape (n, 2) to a polygon.
 
     Args:
-        array: of ints, floats with their exact binary values, or objects that `to_fraction` reads.
+        array: ints, floats (exact binary values), or objects that `to_fraction` reads.
 
     Raises:
         FormatError: another shape.
-        PolygonError, NumberError: as by `Polygon`.
+        PolygonError, NumberError: as for `Polygon`.
 
     Example:
         >>> import numpy
@@ -185,7 +185,7 @@ def from_numpy(array: numpy.ndarray) -> Polygon:
 
 @tells_arguments
 def to_numpy(polygon: Polygon, dtype: str = "object", *, nearest: bool = False) -> numpy.ndarray:
-    """Make an array of shape (n, 2) of the vertices.
+    """Convert the vertices to an array of shape (n, 2).
 
     Args:
         polygon: a Polygon.
@@ -193,7 +193,7 @@ def to_numpy(polygon: Polygon, dtype: str = "object", *, nearest: bool = False) 
         nearest: as for `to_shapely`; for "float64" only.
 
     Raises:
-        FormatError: another dtype, or a coordinate that it cannot hold.
+        FormatError: another dtype, or a coordinate that it cannot represent.
 
     Example:
         >>> to_numpy(Polygon([(0, 0), (1, 0), (0, "1/2")]), "float64").tolist()
@@ -227,7 +227,7 @@ def _float(value: Fraction, vertex: str, nearest: bool) -> float:
     try:
         found = value.numerator / value.denominator
     except OverflowError:
-        raise FormatError(f"{vertex}: {abridge(value)} is beyond all floats") from None
+        raise FormatError(f"{vertex}: {abridge(value)} exceeds the float range") from None
     if found != value and not nearest:
         raise FormatError(f"{vertex}: {abridge(value)} is not a float; nearest=True rounds")
     return found

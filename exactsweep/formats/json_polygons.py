@@ -1,4 +1,4 @@
-"""Polygons of exact JSON documents: vertices, parts with holes, lists of these, and results."""
+"""Reader of exact JSON: lists of vertices, parts with holes, lists of these, and results."""
 
 from __future__ import annotations
 
@@ -16,15 +16,14 @@ _RINGS = ("vertices", "exterior", "points", "polygon")
 
 
 def read_exact(document: object, path: str = "$") -> list[Candidate]:
-    """Find the polygons of an exact JSON document, which read their vertices on demand.
+    """Find the polygons of an exact JSON document.
 
     Args:
-        document: a list of vertices, or of such lists; an object with such a list as "vertices",
-            "points" or "polygon", or as "exterior" with a list of these as "holes"; an object whose
-            "polygons" is a list of all these; or a result, with "trajectory", "inner", "outer" and
-            "unswept", or with "regions". "id" is the name, "error" the bound on the distance
-            between the rings and the curves that they replace.
-        path: its JSON path, with which messages start.
+        document: a polygon: a list of vertices, or an object with a list as "vertices", "points"
+            or "polygon", or as "exterior" with lists as "holes", and optionally with "id" and
+            "error"; a list of polygons, or an object with one as "polygons"; or a result, with
+            "trajectory", "inner", "outer" and "unswept", or with "regions".
+        path: its JSON path, for messages.
     """
     node = JsonNode(document, path)
     if isinstance(document, dict) and "polygons" in document:
@@ -48,7 +47,7 @@ def _is_list_of_rings(value: object) -> bool:
 
 
 def _read_result(node: JsonNode, document: Mapping[str, object]) -> list[Candidate]:
-    """Find the loops of a result, each named by its kind after the names of the pair."""
+    """Find the loops of a result, named by their kind and the names of the pair."""
     found: list[Candidate] = []
     for member in _LOOPS:
         if member not in document:
@@ -68,7 +67,7 @@ def _read_result(node: JsonNode, document: Mapping[str, object]) -> list[Candida
 
 
 def read_record_name(document: Mapping[str, object]) -> str | None:
-    """Return the id of a record, the names of its pair, its index, or None."""
+    """Return the id of a record, else the names of its pair, else its index, else None."""
     for members in (("id",), ("generatrix", "directrix"), ("index",)):
         values = [document.get(member) for member in members]
         if all(isinstance(value, str) for value in values):

@@ -1,4 +1,4 @@
-"""The choice of layers of a drawing."""
+"""Selection of layers."""
 
 from __future__ import annotations
 
@@ -13,12 +13,12 @@ from exactsweep.words import count, suggest
 
 
 def keep_layers(outlines: Sequence[Candidate], reading: Reading) -> Sequence[Candidate]:
-    """Keep the outlines on the layers that a reading asks for, and note the number of others.
+    """Keep the outlines on the selected layers, and note the number of others.
 
-    The groups of SVG that have an id are layers, too.
+    SVG groups with an id count as layers.
 
     Raises:
-        FormatError: the file has no layer of a given name.
+        FormatError: a layer does not exist.
     """
     wanted, ignored = ({*map(str.casefold, n)} for n in (reading.layers, reading.ignored_layers))
     if not wanted and not ignored:
@@ -43,15 +43,15 @@ def keep_layers(outlines: Sequence[Candidate], reading: Reading) -> Sequence[Can
 
 
 def list_layers(outline: Candidate) -> list[str]:
-    """List the layer and the groups of an outline, the layer first."""
+    """List the layer and the groups of an outline."""
     return [*([] if outline.layer is None else [outline.layer]), *outline.groups]
 
 
 def get_layer(outline: Candidate) -> str | None:
-    """Return the layer of an outline, or else its innermost group; None without either."""
+    """Return the layer of an outline, else its innermost group, else None."""
     return outline.groups[-1] if outline.layer is None and outline.groups else outline.layer
 
 
 def tell_layer(layer: str | None) -> str:
-    """Return the name of a layer for messages."""
+    """Describe a layer for a message."""
     return "no layer" if layer is None else f"the layer {quote(layer)}"

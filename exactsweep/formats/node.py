@@ -1,4 +1,4 @@
-"""Nodes of a JSON document, whose errors name their JSON path."""
+"""JSON nodes that know their path, for error messages."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ class JsonNode(NamedTuple):
     path: str = "$"
 
     def has(self, name: str) -> bool:
-        """Whether this is an object with such a member that is not null."""
+        """Whether this is an object with a non-null member of that name."""
         return isinstance(self.value, Mapping) and self.value.get(name) is not None
 
     def __truediv__(self, name: str) -> JsonNode:
@@ -42,7 +42,7 @@ class JsonNode(NamedTuple):
         return self / name if self.has(name) else JsonNode(default, f"{self.path}.{name}")
 
     def entries(self, what: str = "a list") -> list[Any]:
-        """Return the entries of a list, which messages call `what`."""
+        """Return the entries of a list; `what` names it in messages."""
         if not isinstance(self.value, list):
             self.refuse(f"{describe_kind(self.value)}, not {what}")
         return self.value
@@ -59,7 +59,7 @@ class JsonNode(NamedTuple):
 
     @property
     def number(self) -> str:
-        """The value as the text of a number."""
+        """The value as a number, still text."""
         read_number(self.value, self.path)
         return str(self.value)
 
@@ -91,7 +91,7 @@ class JsonNode(NamedTuple):
 
     @property
     def pair(self) -> list[str]:
-        """The two numbers of a list, as texts."""
+        """A list of two numbers, still text."""
         numbers = [entry.number for entry in self.each()]
         if len(numbers) != 2:
             raise FormatError(f"{self.path} has {len(numbers)} coordinates, not 2")
@@ -99,7 +99,7 @@ class JsonNode(NamedTuple):
 
     @property
     def ring(self) -> list[list[str]]:
-        """The list of points, written as a ring of Layout JSON."""
+        """A list of points, as a ring of Layout JSON."""
         return write_ring([read_point(*point) for point in self.each()])
 
     @property
@@ -115,17 +115,17 @@ class JsonNode(NamedTuple):
 
 
 def write_ring(points: Sequence[Point]) -> list[list[str]]:
-    """Write points as in Layout JSON, without a repeated last one."""
+    """Convert points to a ring of Layout JSON, without a repeated last point."""
     closed = len(points) > 1 and points[0] == points[-1]
     return [[*map(format_fraction, point)] for point in points[: -1 if closed else None]]
 
 
 def write_shape(exterior: list[list[str]], holes: Sequence[list[list[str]]]) -> Data:
-    """Write rings as Layout JSON has them; holes only if there are any."""
+    """Convert rings to a shape of Layout JSON."""
     return {"exterior": exterior} | ({"holes": [*holes]} if holes else {})
 
 
 def write_box(left: Fraction, low: Fraction, width: Fraction, height: Fraction) -> list[list[str]]:
-    """Write the corners of a rectangle as Layout JSON has them."""
+    """Convert a rectangle to a ring of Layout JSON."""
     right, top = left + width, low + height
     return write_ring([Point(left, low), Point(right, low), Point(right, top), Point(left, top)])

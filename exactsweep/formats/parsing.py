@@ -1,4 +1,4 @@
-"""Recognition of formats, and the candidates for polygons in a text."""
+"""Recognition of formats, and search for polygons in a text."""
 
 import re
 from collections.abc import Sequence
@@ -23,28 +23,28 @@ from exactsweep.formats.size import ELEMENT, ENTITY, measure_text, require_text
 from exactsweep.formats.wkt import parse_wkt
 from exactsweep.numbers.error import quote
 
-# Keys of instances of nesting programs.
+# Keys of nesting instances.
 _INSTANCES = {"items", "item_types"}
 _WKT = re.compile(
     r"\s*(SRID|EMPTY|(MULTI)?(POINT|LINESTRING|POLYGON|CURVE|SURFACE)|GEOMETRY\w*|CIRCULARSTRING|"
     r"COMPOUNDCURVE|CURVEPOLYGON|TRIANGLE|TIN|POLYHEDRALSURFACE)",
     re.I,
 )
-# A group code 0 and the name that follows it.
+# Group code 0 and a name.
 _ENTITY = re.compile(r"(?m)^ *0\n[A-Z]")
 
 
 def parse_candidates(
     text: str, tolerance: object = None, **options: Unpack[Options]
 ) -> PartList[Candidate]:
-    """Find the polygons of a text as `parse_regions` does, without reading their numbers."""
+    """Find the polygons of a text like `parse_regions`, without parsing their numbers."""
     if not isinstance(text, str):
         raise FormatError(f"{type(text).__name__} is not text")
     return parse_by(text, Reading(tolerance, **options))
 
 
 def parse_by(text: str, reading: Reading) -> PartList[Candidate]:
-    """Find the polygons of a text by the settings of a reading."""
+    """Find the polygons of a text, with the settings of a Reading."""
     candidates = keep_layers(_parse(text, reading), reading)
     if reading.nested:
         candidates = nest_candidates(candidates)
@@ -96,7 +96,7 @@ def _parse(text: str, reading: Reading) -> Sequence[Candidate]:
 
 
 def measure_written(text: str) -> int:
-    r"""Bound the size of a text of `format_polygons`, or of JSON, for the limit of its reader.
+    r"""Bound the size that a reader charges for a text from `format_polygons`, or for JSON.
 
     Example:
         >>> measure_written("[[0,0],[1,0],[0,1]]"), measure_written("0,0\n1,0\n0,1\n")
@@ -115,7 +115,7 @@ def _count_vertices(text: str) -> int:
 
 
 def _read_json(text: str, reading: Reading) -> Sequence[Candidate]:
-    """Read one JSON document, or one document per line, or tuples and braces."""
+    """Read one JSON document, one per line, or tuples and braces."""
     notes = reading.notes
     try:
         document = parse_json(text)
@@ -148,7 +148,7 @@ def _read_json(text: str, reading: Reading) -> Sequence[Candidate]:
 
 
 def _read_line(line: str, number: int, notes: dict[str, None]) -> Sequence[Candidate]:
-    """Read one of several lines; an error in it does not affect others."""
+    """Read one JSON line; an error becomes a rejected candidate."""
     try:
         return find_candidates(parse_json(line), f"line {number}: $", notes)
     except FormatError as error:
@@ -160,7 +160,7 @@ def _read_line(line: str, number: int, notes: dict[str, None]) -> Sequence[Candi
 def find_candidates(
     document: object, path: str = "$", notes: dict[str, None] | None = None
 ) -> Sequence[Candidate]:
-    """Find the polygons of a document of `parse_json`: exact JSON or GeoJSON."""
+    """Find the polygons of exact JSON or GeoJSON, parsed by `parse_json`."""
     if isinstance(document, dict) and "type" in document and "vertices" not in document:
         found = read_geojson(document, path, notes)
         return found if len(found) > 1 else [one._replace(place="") for one in found]

@@ -1,4 +1,4 @@
-"""The contents of a file: polygons, direction of Y, unit and omissions."""
+"""Contents of a file: polygons, direction of Y, unit and omissions."""
 
 from __future__ import annotations
 
@@ -25,9 +25,9 @@ class PartList(list[_Listed]):
 
     Attributes:
         coordinates: the direction of Y and the unit.
-        left_out: the reason for each omitted element: hidden, an ornament, or not a polygon.
+        left_out: a reason for each omitted element: hidden, an ornament, or not a polygon.
         notes: further remarks.
-        is_group: whether the polygons are one group, chosen as FILE#group.
+        is_group: whether the polygons are one group, selected by FILE#GROUP.
     """
 
     is_group = False
@@ -43,11 +43,11 @@ class PartList(list[_Listed]):
         self.coordinates, self.left_out, self.notes = coordinates, [*left_out], [*notes]
 
     def replaced(self, items: Iterable[_Read], left_out: Iterable[str] = ()) -> PartList[_Read]:
-        """Return other items of the same file, with more reasons for omissions."""
+        """Return a list of other items from the same file, with further omissions."""
         return PartList(items, self.coordinates, [*self.left_out, *left_out], self.notes)
 
     def read_each(self, read: Callable[[_Listed, Said], Iterable[_Read]]) -> PartList[_Read]:
-        """Read all items, and omit those that raise ValueError; raise it if none is left."""
+        """Read all items; omit those that raise ValueError, but re-raise it if none is left."""
         found: list[_Read] = []
         said = Said([*self.notes], [*self.left_out])
         kind: type[ValueError] | None = None
@@ -55,7 +55,7 @@ class PartList(list[_Listed]):
             try:
                 found += read(item, said)
             except ValueError as error:
-                # Keep only the message: an exception would keep all of its frames alive.
+                # Keep only the message, because an exception keeps its frames alive.
                 kind = kind or type(error)
                 said.left_out.append(str(error))
         if said.left_out and not found:
@@ -64,13 +64,13 @@ class PartList(list[_Listed]):
 
 
 class Said(NamedTuple):
-    """Notes on the outlines of a file, and the reasons of omissions."""
+    """Collected notes and reasons for omissions."""
 
     notes: list[str]
     left_out: list[str]
 
 
 def summarize(reasons: Sequence[str]) -> str:
-    """Join the first of many reasons in one line."""
+    """Join the first reasons, and count the others."""
     more = len(reasons) - _SHOWN
     return "; ".join(reasons[:_SHOWN]) + (f"; and {more} more" if more > 0 else "")

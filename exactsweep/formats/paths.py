@@ -1,4 +1,4 @@
-"""Readers of paths: WKT and GeoJSON lines and points, SVG paths, and lists of points in JSON."""
+"""Reader of paths: WKT and GeoJSON lines and points, SVG paths, and JSON lists of points."""
 
 from __future__ import annotations
 
@@ -15,18 +15,18 @@ _LINES = ("LineString", "Point")
 def parse_path(
     text: str, *, is_list: bool = False, reading: Reading | None = None
 ) -> Polyline | None:
-    """Read a path, if a text is one; return None for any other text.
+    """Read a path; return None for any other text.
 
     Args:
-        text: a WKT LINESTRING or POINT; a GeoJSON LineString or Point, or a Feature of one; an SVG
-            document of one open path of straight segments without a fill; or a JSON list of one or
+        text: a WKT LINESTRING or POINT; a GeoJSON LineString or Point, or a Feature with one; an
+            SVG document with one open unfilled path of straight segments; or a JSON list of one or
             two points.
-        is_list: whether a JSON list of more points, or a filled or closed path of SVG, is a path,
-            too, and not a polygon.
+        is_list: whether to read longer JSON lists, and filled or closed SVG paths, as paths instead
+            of polygons.
         reading: the settings for SVG.
 
     Raises:
-        FormatError: a path with an error; the message starts with its place.
+        FormatError: an invalid path.
 
     Example:
         >>> print(parse_path("LINESTRING (0 0, 0.5 0)"), "and", parse_path('[[0, 0], ["1/2", 0]]'))
@@ -43,7 +43,7 @@ def parse_path(
     try:
         document = parse_json(text)
     except FormatError:
-        # Perhaps several documents, one per line: no path.
+        # Several documents, one per line, are not a path.
         return None
     node = JsonNode(document, "$")
     if isinstance(document, dict):
@@ -54,7 +54,6 @@ def parse_path(
         kind, node = node.value["type"], node.get("coordinates", None)
         found = [node.value] if kind == "Point" else node.value
         if isinstance(found, list):
-            # Third coordinates are heights.
             found = [pair[:2] if isinstance(pair, list) else pair for pair in found]
         return Polyline(read_vertices(found, node.path))
     if not isinstance(document, list) or not (is_list or len(document) < 3):

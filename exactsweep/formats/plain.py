@@ -1,4 +1,4 @@
-"""Pasted vertices: lines of two numbers, tuples, braces, or a count before them."""
+"""Reader of pasted vertices: two numbers per line, tuples, braces, or counted pairs."""
 
 from __future__ import annotations
 
@@ -28,22 +28,22 @@ _G_CODE = re.compile(r"(?:%\s*|[;(][^\n]*\n\s*)*+(?:N\d+\s*)?[GMO]\d", re.IGNORE
 
 
 def require_known(text: str) -> None:
-    """Reject formats without polygons, which the first characters identify."""
+    """Reject unsupported formats, recognized by their first characters."""
     start = text.lstrip()[:40].lower()
     for sign, (name, advice) in _SIGNS.items():
         if start.startswith(sign.lower()):
-            raise FormatError(f"{name}, which is not read; {advice}")
+            raise FormatError(f"{name} is not supported; {advice}")
     if _G_CODE.match(text.lstrip()[:2000]):
-        raise FormatError("G-code, which is not read; export SVG or DXF")
+        raise FormatError("G-code is not supported; export SVG or DXF")
 
 
 def is_plain(text: str) -> bool:
-    """Decide whether a text consists of numbers, separators and brackets."""
+    """Whether a text consists of numbers, separators and brackets."""
     return bool(_PLAIN.fullmatch(text))
 
 
 def to_json_text(text: str) -> str:
-    """Rewrite tuples and braces as lists of JSON.
+    """Rewrite tuples and braces as JSON lists.
 
     >>> to_json_text("{{0,0},{1,0},{0,1}};"), to_json_text("(0,0), (1,0), (0,1)")
     ('[[0,0],[1,0],[0,1]]', '[[0,0], [1,0], [0,1]]')
@@ -53,7 +53,7 @@ def to_json_text(text: str) -> str:
 
 
 def parse_numbers(text: str) -> list[Candidate]:
-    """Find the polygons of lines of two numbers, separated by empty lines, or of counts and pairs.
+    """Read polygons: lines of two numbers, with blank lines between polygons, or counted pairs.
 
     >>> text = chr(10).join(("0 0", "1 0", "0 1"))
     >>> [len(one.vertices()) for one in parse_numbers(text)]
@@ -83,6 +83,6 @@ def _read_counted(numbers: Sequence[Fraction]) -> Iterator[Candidate]:
         size, first = numbers[k], k + 1
         k = first + 2 * int(size)
         if size.denominator != 1 or not first < k <= len(numbers):
-            raise FormatError("neither one pair of numbers per line, nor a count and as many pairs")
+            raise FormatError("expected one pair of numbers per line, or a count and its pairs")
         points = [*map(Point, numbers[first:k:2], numbers[first + 1 : k : 2])]
         yield Candidate("", points.copy)

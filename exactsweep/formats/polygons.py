@@ -30,12 +30,12 @@ def parse_polygon(
 
     Args:
         text: as for `parse_polygons`.
-        choice: the name, index, layer or group of one polygon; None for the only one.
-        tolerance: as for `parse_polygons`, but curves are rejected without it.
+        choice: the name, index, layer or group of one polygon; None if there is only one.
+        tolerance: as for `parse_polygons`, but required for curves.
         options: as for `parse_polygons`.
 
     Raises:
-        FormatError: as by `parse_polygons`, or the choice is ambiguous.
+        FormatError: as for `parse_polygons`, or the choice is ambiguous.
         PolygonError: not a simple polygon; the message names vertices by index.
 
     Example:
@@ -58,17 +58,16 @@ def parse_polygons(
     """Read all polygons of a text.
 
     Args:
-        text: JSON as for `exactsweep.formats.json_polygons.read_exact`, or one such document per
+        text: JSON as for `exactsweep.formats.json_polygons.read_exact`, one document or one per
             line; GeoJSON, WKT, CSV, SVG or ASCII DXF. Decimals are exact; JSON strings may be
             fractions.
-        tolerance: the largest distance between a curve and the lines that replace it, a positive
-            number; None for about a thousandth of each outline.
+        tolerance: the maximum distance between a curve and its chords, a positive number; None for
+            about a thousandth of the size of each outline.
         options: see `exactsweep.formats.reading.Options`.
 
     Returns:
-        A PartList of NamedPolygon, in order. `left_out` lists hidden elements, rejected elements
-        and polygons with holes, each with its place. `coordinates` has the direction of Y and the
-        unit.
+        A PartList of NamedPolygon, in file order. `left_out` lists hidden elements, rejected
+        elements and polygons with holes, with their locations.
 
     Raises:
         FormatError: an unknown format, or no readable polygon.
@@ -108,7 +107,7 @@ def parse_regions(
     """Read all polygons of a text with their holes.
 
     Arguments, results and errors are those of `parse_polygons`. Holes are inner rings, "holes" in
-    JSON, and in SVG subpaths that the fill rule leaves empty.
+    JSON, and SVG subpaths that the fill rule leaves empty.
 
     Example:
         >>> path = '<path fill-rule="evenodd" d="M0 0H4V4H0z M1 1h1v1z"/>'
@@ -152,7 +151,7 @@ def read_region(
 def read_polygons(
     path: str | os.PathLike[str], tolerance: object = None, **options: Unpack[Options]
 ) -> PartList[NamedPolygon]:
-    """Read all polygons of a file, or those that the choice after "#" names.
+    """Read all polygons of a file, or those selected by a choice after "#".
 
     Arguments are those of `read_polygon`, results those of `parse_polygons`.
     """
@@ -174,7 +173,7 @@ def read_regions(
 def read_candidates(
     path: str | os.PathLike[str], tolerance: object = None, **options: Unpack[Options]
 ) -> PartList[Candidate]:
-    """Find the polygons of a file as `read_polygons` does, without reading their numbers."""
+    """Find the polygons of a file like `read_polygons`, without parsing their numbers."""
     return _read_file(path, _select, tolerance, options)
 
 
@@ -185,10 +184,7 @@ def read_choice(
     groups: bool = False,
     **options: Unpack[Options],
 ) -> PartList[Candidate]:
-    """Find the polygon of a file as `read_region` does, without reading its numbers.
-
-    With `groups`, a choice may also name a group of several outlines.
-    """
+    """Find the polygon of a file like `read_region`, or with `groups` a group of outlines."""
 
     def take(found: PartList[Candidate], choice: str | None) -> PartList[Candidate]:
         if groups and choice and is_group(outlines := select(found, choice), choice):
@@ -203,7 +199,7 @@ def read_choice(
 def _read_one(
     one: Candidate, read: Callable[[Candidate], _OneRead], tolerance: object = None
 ) -> _OneRead:
-    """Read the only polygon of a candidate; a curve only if the caller knows its tolerance."""
+    """Read the only polygon of a candidate; reject curves without a tolerance."""
     if one.error and tolerance is None:
         raise FormatError(
             f"{one.place}: curves need a tolerance, for example 0.01; "
@@ -240,7 +236,7 @@ def _read_file(
 
 
 def split_choice(path: str | os.PathLike[str]) -> tuple[str, str | None]:
-    """Split a path from the choice after it; both may contain "#"."""
+    """Split FILE#CHOICE; both parts may contain "#"."""
     if isinstance(path, os.PathLike):
         path = os.fspath(path)
     if not isinstance(path, str):
@@ -250,12 +246,12 @@ def split_choice(path: str | os.PathLike[str]) -> tuple[str, str | None]:
     places = [k for k, letter in enumerate(path) if letter == "#" and k > 0]
     if not places:
         return path, None
-    # The longest existing path; if none exists, the shortest, for the message.
+    # Prefer the longest existing path, else the shortest for the message.
     there = (k for k in reversed(places) if path[:k] == "-" or os.path.lexists(path[:k]))
     k = next(there, places[0])
     return path[:k], path[k + 1 :]
 
 
 def name_file(file: str) -> name_refusals:
-    """Prefix the errors inside a `with` block with the name of the file."""
+    """Prefix errors inside a `with` block with the file name."""
     return name_refusals(show_path(file), FormatError)

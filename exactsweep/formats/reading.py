@@ -1,4 +1,4 @@
-"""Settings of reading: the options of a caller, and limits."""
+"""Settings and state of a reader."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ MAX_LINES = 20_000
 """Maximum number of lines of one curve."""
 
 MAX_COPIES = 20_000
-"""Maximum number of elements that blocks or uses draw; bounds the work for a small file."""
+"""Maximum number of elements that blocks or uses draw, since small files can draw many."""
 
 UNITS = {
     "mm": Fraction(1),
@@ -33,31 +33,30 @@ UNITS = {
     "pc": Fraction(127, 30),
     "px": Fraction(127, 480),
 }
-"""The millimetres of each unit; 96 px are an inch, as in CSS."""
+"""Units in millimetres; an inch has 96 px, as in CSS."""
 
 # Inch, foot, mile, mm, cm, m, km, microinch, mil, yard, angstrom, nm, um, dm, dam, hm, Gm.
 _INSUNITS = "25.4 304.8 1609344 1 10 1e3 1e6 254e-7 254e-4 914.4 1e-7 1e-6 1e-3 100 1e4 1e5 1e12"
 INSUNITS = dict(enumerate(map(Fraction, _INSUNITS.split()), 1))
-"""The millimetres of the unit of a DXF, by the value of $INSUNITS."""
+"""DXF units in millimetres, by the value of $INSUNITS."""
 
 
 class Options(TypedDict, total=False):
-    """Options of a reader of files, besides the tolerance for curves.
+    """Options of the file readers, besides the tolerance for curves.
 
     Attributes:
-        nested: whether outlines inside others are holes, outlines inside a hole polygons again, and
-            so on; see `exactsweep.formats.depth`. By default only in layouts.
-        layers: the layers to read, compared without case; by default all. DXF and Inkscape's SVG
-            have layers.
+        nested: whether outlines inside others are holes, outlines inside holes are polygons, and so
+            on; see `exactsweep.formats.depth`. By default only in layouts.
+        layers: the DXF or Inkscape layers to read, ignoring case; by default all.
         ignored_layers: the layers to omit.
-        join: the largest distance between ends of lines of SVG and DXF to be joined. By default
-            equal ends are joined, and ends of curves within a fourth of the tolerance.
+        join: the maximum gap between line ends to join, in SVG and DXF. By default, equal ends are
+            joined, and curve ends within a quarter of the tolerance.
         unit: the unit of the result, one of UNITS. Files that state their unit are scaled exactly,
-            others rejected. By default numbers are unchanged.
-        hidden: whether to read hidden geometry: invisible entities, layers that are off or frozen,
-            and paper space of DXF; undisplayed and invisible elements and unused `defs` of SVG.
-        y_down: whether Y points down in the file; by default in SVG only.
-        clean: the least area of a polygon; smaller ones are omitted, with the reason.
+            others are rejected. By default numbers are unchanged.
+        hidden: whether to read hidden geometry: invisible DXF entities, layers that are off or
+            frozen, paper space; invisible SVG elements and unused `defs`.
+        y_down: whether Y points down in the file; by default only in SVG.
+        clean: the minimum area of a polygon; smaller ones are omitted.
     """
 
     nested: bool | None
@@ -71,18 +70,17 @@ class Options(TypedDict, total=False):
 
 
 class Reading:
-    """The settings and the state of reading one text; the arguments are those of `Options`.
+    """The settings and the state of one reading; arguments as in `Options`.
 
     Attributes:
-        joining: the tolerance by whose fourth ends of curves are joined; None to choose it by the
+        joining: four times the maximum gap between curve ends to join; None to derive it from the
             size of the drawing.
-        found_unit: the millimetres of the file's unit; None if the file does not state it.
+        found_unit: the file's unit in millimetres; None if unknown.
         passed: the number of hidden elements for each reason.
-        lines, vertices, copies, copied: the drawn lines of curves, vertices, elements of blocks and
-            uses, and their bytes.
-        dots: whether dots with round caps are discs, as in layouts.
-        apart: whether the lines of an unfilled path are outlines of their own, nested later with
-            all others.
+        lines, vertices, copies, copied: counts of chords, vertices, copied elements, and their
+            bytes.
+        dots: whether zero-length strokes with round caps are discs, as in layouts.
+        apart: whether unfilled paths are separate outlines, nested later with all others.
 
     Raises:
         FormatError: a number that is not positive, or an unknown unit.
@@ -104,8 +102,8 @@ class Reading:
         if unit is not None and not (isinstance(unit, str) and unit in UNITS):
             raise FormatError(f"the unit {quote(unit)} is not one of {', '.join(UNITS)}")
         self.tolerance = self.joining = read_positive(tolerance, "the tolerance")
-        self.join = read_positive(join, "the distance of ends that are joined")
-        self.clean = read_positive(clean, "the least area") or Fraction(0)
+        self.join = read_positive(join, "the join distance")
+        self.clean = read_positive(clean, "the minimum area") or Fraction(0)
         self.nested, self.unit, self.hidden, self.y_down = nested, unit, hidden, y_down
         self.layers = read_names(layers, "layers")
         self.ignored_layers = read_names(ignored_layers, "ignored_layers")
@@ -117,7 +115,7 @@ class Reading:
         self.dots, self.apart = False, bool(nested)
 
     def without_nesting(self) -> Reading:
-        """Return the same settings for another reading, without nesting."""
+        """Return fresh settings without nesting."""
         found = copy(self)
         found.nested = False
         found.passed, found.notes = Counter(), {}
@@ -131,13 +129,13 @@ class Reading:
         return cast(Options, given | {"clean": self.clean or None})
 
     def at(self, tolerance: Fraction) -> Reading:
-        """Return the settings for another reading at another tolerance."""
+        """Return fresh settings with another tolerance."""
         found = self.without_nesting()
         found.tolerance, found.nested = tolerance, self.nested
         return found
 
     def allow_lines(self, count: int) -> None:
-        """Count the lines of a curve; raises FormatError beyond the limits of curve and file."""
+        """Count the chords of a curve; raises FormatError beyond the limits."""
         if count > MAX_LINES:
             shown = f"{count:,}" if count <= 10**12 else "more than 10**12"
             raise FormatError(
@@ -163,7 +161,7 @@ class Reading:
         require_size(self.copied, f"{draw} ")
 
     def scale(self, unit: Fraction | None) -> Fraction:
-        """Return the factor for the numbers of a file by the millimetres of its unit."""
+        """Return the scale factor for a file, given its unit in millimetres."""
         self.found_unit = unit
         if self.unit is None:
             return Fraction(1)
@@ -173,18 +171,18 @@ class Reading:
         return unit / self.found_unit
 
     def hides(self, reason: str) -> bool:
-        """Decide whether to omit an element for a reason ("" for none); count it if so."""
+        """Whether to omit an element hidden for a reason ("" if visible); count it if so."""
         if not reason or self.hidden:
             return False
         self.passed[reason] += 1
         return True
 
     def list_hidden(self) -> list[str]:
-        """List the hidden elements, one remark for each reason."""
+        """Return one remark per reason for hiding."""
         return [f"hidden: {many} {what} (--hidden)" for what, many in self.passed.items()]
 
     def require_level(self, heights: Sequence[Fraction]) -> None:
-        """Reject heights that differ by more than the distance of joined ends."""
+        """Reject heights that differ by more than the join distance."""
         if all(height is heights[0] for height in heights):
             return
         if max(heights) - min(heights) > (self.join or 0):

@@ -1,9 +1,9 @@
-"""Closed paths of arcs of one radius and their tangents: discs, slots, rounded polygons.
+"""Recognition of discs, slots and rounded convex polygons.
 
-Such a path is the boundary of all points at distance at most r from a convex hull if (1) its arcs
-have one radius, turn in one direction, and by 360 degrees together; (2) the centers of its arcs,
-in order, are the corners of a convex polygon, the two ends of a segment, or one point; and (3) each
-line between two arcs is the side between their centers, moved outwards by r.
+A closed path of arcs and lines bounds all points at distance at most r from a convex hull if (1)
+its arcs have radius r and the same orientation, and turn by 360 degrees in total; (2) their
+centers, in order, are the corners of a convex polygon, the ends of a segment, or one point; and (3)
+each line between two arcs is the segment between their centers, offset outward by r.
 """
 
 from __future__ import annotations
@@ -26,7 +26,7 @@ class RoundedOutline(NamedTuple):
 
     Attributes:
         points: the corners of the hull, counter-clockwise; one for a disc, two for a slot.
-        error: a bound on the distance from the true outline, of an irrational map; mostly 0.
+        error: a bound on the distance from the true outline; 0 for a rational map.
     """
 
     points: tuple[Point, ...]
@@ -34,12 +34,12 @@ class RoundedOutline(NamedTuple):
     error: Fraction = Fraction(0)
 
     def turned(self) -> RoundedOutline:
-        """Return the outline with Y reversed."""
+        """Return the outline with the Y axis flipped."""
         return self._replace(points=tuple(Point(x, -y) for x, y in self.points[::-1]))
 
 
 class _Round(NamedTuple):
-    """An arc of a circle between two points of it, in the direction of the path."""
+    """An arc of a circle, in the direction of the path."""
 
     start: Point
     end: Point
@@ -47,17 +47,9 @@ class _Round(NamedTuple):
 
 
 def find_rounded(path: Path) -> RoundedOutline | None:
-    """Find the hull and the radius whose boundary is a closed path.
+    """Return the hull and the radius of a path, or None if it is not a rounded outline.
 
-    They are exact, or within the error of a path that was rotated by an irrational map.
-
-    Args:
-        path: a closed path.
-
-    Returns:
-        A RoundedOutline; None for other paths, and for irrational numbers.
-
-    Cost: linear.
+    Irrational radii are not recognized.
 
     >>> from exactsweep.formats.curved.affine import make_affine
     >>> from exactsweep.formats.curved.path import draw_circle
@@ -92,7 +84,7 @@ def find_rounded(path: Path) -> RoundedOutline | None:
 
 
 def _find_circle(curve: object, forward: bool) -> tuple[Point, Fraction, bool] | None:
-    """Return the center, the squared radius and the direction of an arc of a circle."""
+    """Return center, squared radius and orientation of a circular arc; None for other curves."""
     if not isinstance(curve, Arc):
         return None
     a, b, c, d, e, f, _ = curve.image
@@ -102,7 +94,7 @@ def _find_circle(curve: object, forward: bool) -> tuple[Point, Fraction, bool] |
 
 
 def _fits(one: _Round, other: _Round, square: Fraction, *, left: bool) -> bool:
-    """Decide whether an arc of the radius, and a tangent, lead to the next arc."""
+    """Whether an arc of the given radius leads to the next one, directly or by a tangent."""
     ends = minus(one.start, one.center), minus(one.end, one.center)
     if any(x * x + y * y != square for x, y in ends):
         return False
@@ -114,7 +106,7 @@ def _fits(one: _Round, other: _Round, square: Fraction, *, left: bool) -> bool:
 
 
 def _list_corners(centers: Sequence[Point], *, left: bool) -> tuple[Point, ...] | None:
-    """Return the corners of a convex ring, counter-clockwise; None if it is not convex."""
+    """Return the corners counter-clockwise; None if they are not convex."""
     ring = [p for k, p in enumerate(centers) if p != centers[k - 1]] or [centers[0]]
     if not left:
         ring.reverse()

@@ -1,19 +1,19 @@
 """Rounding of regions to a decimal grid: to the closest points, outward, or inward.
 
-Outward. Let a ring run with its region on the left; let v be a vertex, e and f the edges before and
-after it.
+Outward, a ring has its region on the left. A vertex v lies between the edges e and f.
 
-1. Let the new vertices for v lie right of the lines of e and f, or on them. Then both edges are
-   left of the new edges, or on them: a new edge connects two points right of one line. 2. At a left
-   turn these are the corners of the grid cell around v that are extreme in a direction between the
-   normals of e and f; at a right turn one point close to v, if there is one. 3. In a notch narrower
-   than a cell, new edges may cross, or a right turn may have no point. Then the vertex of a right
-   turn is dropped, which fills the notch; the smallest ears go first. The last resort is the hull
-   of all cells. 4. A test proves that the result is a polygon that contains the old one.
+1. The new vertices for v lie on or right of the lines of e and f, so the old edges lie on or left
+   of the new ones.
+2. At a left turn, the new vertices are the corners of the grid cell around v that are extreme in a
+   direction between the normals of e and f. At a right turn, the new vertex is the closest possible
+   grid point, if any is near.
+3. In a notch narrower than a cell, new edges may cross, or a right turn may have no grid point.
+   Then right turns are dropped, smallest ears first, which fills the notch. The last resort is the
+   convex hull of all cells.
+4. An exact test proves that the result is a polygon that contains the old one.
 
-A hole is a clockwise ring, and its new ring lies inside it; without one the hole is dropped.
-Inward, growing holes may meet: the rest of the region may have several parts, which are rounded
-again until all vertices are on the grid.
+Holes are clockwise rings that shrink, and are dropped if no ring is left. Inward, growing holes may
+meet and divide the region; its parts are rounded again until all vertices are on the grid.
 """
 
 from __future__ import annotations
@@ -39,15 +39,15 @@ from exactsweep.numbers.error import quote, tells_arguments
 from exactsweep.numbers.number import Edge, Fit, Point, Rational, Vertex
 
 Side = Literal["closest", "outward", "inward"]
-# How far, in cells, to search for a grid point to replace the vertex of a right turn.
+# Cells to search around the vertex of a right turn.
 _REACH = 3
 
 MAX_PLACES = 4000
-"""The largest number of decimal places."""
+"""Maximum number of decimal places."""
 
 
 class Rounding(NamedTuple):
-    """Decimal places; outward, forbidden regions may only grow, and free regions only shrink."""
+    """Decimal places, and whether forbidden regions only grow and free regions only shrink."""
 
     places: int
     outward: bool = False
@@ -58,8 +58,8 @@ class Rounded(NamedTuple):
 
     Attributes:
         regions: one, or for "inward" any number.
-        distance: a bound on the distance of old and new rings, except dropped ones and gaps between
-            holes that closed.
+        distance: a bound on the distance between old and new rings, except dropped rings and closed
+            gaps between holes.
         left_out: the number of dropped holes and parts.
     """
 
@@ -69,14 +69,14 @@ class Rounded(NamedTuple):
 
     @property
     def region(self) -> Region | None:
-        """The new region; None if nothing is left. Raises FormatError if there are several."""
+        """The only region, or None; raises FormatError if there are several."""
         if len(self.regions) > 1:
             raise FormatError(f"rounding leaves {len(self.regions)} regions; see `regions`")
         return self.regions[0] if self.regions else None
 
 
 class Changes(NamedTuple):
-    """The numbers of changed regions and dropped rings, and the greatest distance."""
+    """The numbers of changed regions and dropped rings, and the maximum distance."""
 
     changed: int
     distance: Fraction
@@ -87,12 +87,12 @@ class Changes(NamedTuple):
 def round_regions(
     regions: Iterable[NamedRegion], places: int, side_of: Callable[[NamedRegion], Side]
 ) -> tuple[list[NamedRegion], Changes]:
-    """Round regions to decimals, each as `round_region` does.
+    """Round regions to decimals.
 
     Args:
-        regions: the regions.
+        regions: NamedRegions.
         places: the number of decimal places.
-        side_of: returns the `side` of each region.
+        side_of: returns the `side` of `round_region` for each region.
 
     Example:
         >>> third = NamedRegion(Region([(0, 0), (1, 0), (0, "1/3")]), "third", None)
@@ -117,7 +117,7 @@ def round_regions(
 
 
 def round_fits(fits: Sequence[Fit], rounding: Rounding) -> tuple[list[Fit], int]:
-    """Round exact fits, and count those that move; outward, these are dropped."""
+    """Round exact fits, and count those that move; drop these if rounding is outward."""
     places, outward = rounding
 
     def move(p: Point) -> Point:
@@ -135,14 +135,14 @@ def round_region(region: Region, places: int, side: Side = "closest") -> Rounded
     Args:
         region: a Region.
         places: the number of decimal places.
-        side: "closest" moves each vertex to the closest point of the grid; "outward" gives a region
-            that contains the input, "inward" regions inside the input.
+        side: "closest" moves each vertex to the closest grid point; "outward" returns a region that
+            contains the input, "inward" regions inside the input.
 
     Raises:
-        PolygonError: the closest points do not form a region.
+        PolygonError: the closest grid points do not form a region.
 
-    Cost: O(n log n) for n vertices, plus the proof, an `Overlap` for each ring; a few times this if
-        vertices are dropped.
+    Cost: O(n log n) for n vertices, plus an `Overlap` for each ring; a few times this if vertices
+        are dropped.
 
     Example:
         >>> part = Region([(0, 0), ("10/3", 0), ("10/3", "7/3"), (0, "7/3")])
@@ -173,7 +173,7 @@ def round_region(region: Region, places: int, side: Side = "closest") -> Rounded
     inner = [ring.polygon for ring in moved]
     with suppress(PolygonError):
         return Rounded((Region(outer.polygon, inner),), distance, left_out)
-    # Holes have grown into each other, or out of the region. New vertices may be off the grid.
+    # Holes grew into each other, or out of the region; intersections may be off the grid.
     clockwise = [ring.vertices[::-1] for ring in inner]
     filled = fill([outer.polygon.vertices, *clockwise], "positive")
     parts = [round_region(Region(ring, rings), places, side) for ring, *rings in filled.regions]
@@ -184,7 +184,7 @@ def round_region(region: Region, places: int, side: Side = "closest") -> Rounded
 
 
 def contains(outer: Region, inner: Region) -> bool:
-    """Decide whether a region contains another one; boundaries may touch."""
+    """Whether a region contains another one; boundaries may touch."""
     _, (around, within) = share_lattice([outer, inner])
     return overlap.contains(around, within)
 
@@ -195,7 +195,7 @@ class _Moved(NamedTuple):
 
 
 def _move(ring: Sequence[Point], grid: Fraction) -> _Moved | None:
-    """Move a ring to the grid, to its right; None if no ring is left."""
+    """Move a ring to grid points on its right; return None if no ring is left."""
     points = [Point(x / grid, y / grid) for x, y in ring]
     old = Polygon(points)
     is_exterior = find_doubled_area(points) > 0
@@ -208,7 +208,7 @@ def _move(ring: Sequence[Point], grid: Fraction) -> _Moved | None:
         if all(chains) and _is_proved(moved, old, is_exterior):
             return _scale(moved, _distance(points, alive, chains), grid)
         ears = _ears(corners)
-        # Those without a point first; more of them each time.
+        # Drop vertices without a grid point first, twice as many each time.
         ears.sort(key=lambda ear: (bool(chains[ear[1]]), ear))
         if not ears:
             break
@@ -228,7 +228,7 @@ def _scale(ring: Sequence[Point], distance: Fraction, grid: Fraction) -> _Moved:
 
 
 def _is_proved(ring: Sequence[Point], old: Polygon, is_exterior: bool) -> bool:
-    """Decide whether a new ring is simple, equally oriented, and right of the old one."""
+    """Whether a new ring is simple, equally oriented, and on the right of the old one."""
     try:
         new = Polygon(ring)
     except PolygonError:
@@ -240,7 +240,7 @@ def _is_proved(ring: Sequence[Point], old: Polygon, is_exterior: bool) -> bool:
 
 
 def _chains(corners: Sequence[Point]) -> list[list[Point]]:
-    """Find the new vertices for each corner; none if a right turn has no point."""
+    """Find the new vertices for each corner; none for a right turn without a grid point."""
     found = []
     for i, v in enumerate(corners):
         e, f = minus(v, corners[i - 1]), minus(corners[(i + 1) % len(corners)], v)
@@ -254,19 +254,19 @@ def _chains(corners: Sequence[Point]) -> list[list[Point]]:
 
 
 def _extremes(v: Point, e: Vertex, f: Vertex) -> list[Point]:
-    """Return the corners of the cell of v that are extreme between the normals, right of both."""
+    """Return the corners of the cell of v that are extreme between the normals of e and f."""
     first = _quadrant(e[1], -e[0])
-    # The quadrant that ends with the other normal: the first one of its mirror image.
+    # The quadrant that ends at the other normal is the mirror image of a first one.
     last = -_quadrant(-f[0], f[1]) % 4
     corners = [(ceil, ceil), (floor, ceil), (floor, floor), (ceil, floor)]
     count = (last - first) % 4 + 1
-    # A straight line along an axis has no directions between; either corner will do.
+    # Along an axis without a turn, either corner will do.
     turns = [corners[(first + k) % 4] for k in range(count if count < 4 else 1)]
     return [Point(Fraction(x(v.x)), Fraction(y(v.y))) for x, y in turns]
 
 
 def _quadrant(x: Rational, y: Rational) -> int:
-    """Return the quadrant of a direction, its first axis included."""
+    """Return the quadrant of a direction; each includes its first axis."""
     if y >= 0 and x > 0:
         return 0
     if y > 0:
@@ -275,7 +275,7 @@ def _quadrant(x: Rational, y: Rational) -> int:
 
 
 def _closest(v: Point, e: Vertex, f: Vertex) -> list[Point]:
-    """Return the closest point on the right of the lines of e and f."""
+    """Return the closest grid point on or right of the lines of e and f, if one is near."""
     near = [
         (by[0] * by[0] + by[1] * by[1], Point(Fraction(x), Fraction(y)))
         for x in range(floor(v.x) - _REACH, ceil(v.x) + _REACH + 1)
@@ -287,7 +287,7 @@ def _closest(v: Point, e: Vertex, f: Vertex) -> list[Point]:
 
 
 def _ears(corners: Sequence[Point]) -> list[tuple[Rational, int]]:
-    """Return for each right turn twice the area of its ear, and its index."""
+    """Return twice the area of the ear at each right turn, and the index."""
     turns = (
         orientation(corners[i - 1], v, corners[(i + 1) % len(corners)])
         for i, v in enumerate(corners)
@@ -296,7 +296,7 @@ def _ears(corners: Sequence[Point]) -> list[tuple[Rational, int]]:
 
 
 def _hull(points: Sequence[Point]) -> list[Point]:
-    """Return the convex hull of the cells around points."""
+    """Return the convex hull of all cells."""
     return find_hull(
         Point(Fraction(x), Fraction(y))
         for v in points
@@ -308,10 +308,7 @@ def _hull(points: Sequence[Point]) -> list[Point]:
 def _distance(
     points: Sequence[Point], alive: Sequence[int], chains: Sequence[Sequence[Point]]
 ) -> Fraction:
-    """Bound the distance of the old and the new ring.
-
-    Along an edge the distance is largest at an end; dropped vertices lie along one new edge.
-    """
+    """Bound the distance between the old and the new ring; along an edge, an end is farthest."""
     largest = Fraction(0)
     for position, (i, new) in enumerate(zip(alive, chains, strict=True)):
         largest = max(largest, *(_measure(points[i], (p, p)) for p in new))

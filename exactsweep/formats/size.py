@@ -1,4 +1,4 @@
-"""The size of a text for the limit, by 6 of `exactsweep.numbers.limits`."""
+"""Size limits of texts; see 6 in `exactsweep.numbers.limits`."""
 
 from math import ceil
 
@@ -8,17 +8,17 @@ from exactsweep.numbers.limits import DEFAULT_MIB, get_max_bytes, get_max_mib
 VERTEX, ELEMENT, ENTITY, FAULT = 16, 32, 64, 1600
 """Bytes charged per vertex, SVG element, DXF entity and rejected element."""
 
-# Lists without vertices have as many numbers as commas.
+# Bytes charged per number; lists have about as many numbers as commas.
 _NUMBER = 4
 
 
 def measure_text(text: str, vertices: int) -> int:
-    """Return the greater of the bytes of a text and those of its vertices and numbers."""
+    """Return the size of a text in bytes, or the charge for its content if that is greater."""
     return weigh(_count_bytes(text), vertices, text.count(","))
 
 
 def weigh(size: int, vertices: int, numbers: int) -> int:
-    """Return the size of a text by its bytes, vertices and other numbers."""
+    """Return the maximum of a size in bytes and the charge for vertices and numbers."""
     return max(size, VERTEX * vertices, _NUMBER * numbers)
 
 
@@ -30,19 +30,19 @@ def require_text(text: str, vertices: int) -> None:
 
 
 def require_size(size: int, what: str = "") -> None:
-    """Reject more bytes than the limit; the message begins with the given name."""
+    """Reject a size in bytes beyond the limit; `what` begins the message."""
     if size > get_max_bytes():
         raise FormatError(f"{what}more than {get_max_mib():g} MiB (max_mib)")
 
 
 def require_count(count: int, each: int, what: str) -> None:
-    """Reject more items of a size than the limit allows."""
+    """Reject too many items, charged `each` bytes."""
     if count * each > get_max_bytes():
         raise FormatError(f"more than {get_max_bytes() // each:,} {what} (max_mib)")
 
 
 def find_needed_mib(size: int) -> int | None:
-    """Return the limit in MiB needed for a size in bytes; None if the default suffices."""
+    """Return the limit in MiB that a size in bytes needs; None if the default suffices."""
     return ceil(size / 2**20) if size > DEFAULT_MIB * 2**20 else None
 
 

@@ -1,4 +1,4 @@
-"""Reader of WKT (OGC 06-103r4, 7.2): polygons, collections, and PostGIS's SRID."""
+"""Reader of WKT (OGC 06-103r4, 7.2), with the SRID prefix of PostGIS."""
 
 import re
 from bisect import bisect_right
@@ -21,7 +21,7 @@ _TOKEN = re.compile(
     r"|(?P<unknown>[^\s(),]++)"
 )
 
-# Exact fits in results.
+# Results contain exact fits as lines and points.
 _OTHERS = ("LINESTRING", "POINT")
 _SRID = re.compile(r"\s*(?i:SRID)\s*=\s*[0-9]{1,9}\s*;")
 _MAX_DEPTH = 32
@@ -33,13 +33,13 @@ def parse_wkt(text: str, notes: dict[str, None] | None = None) -> list[Candidate
     """Read WKT polygons.
 
     Args:
-        text: POLYGON, MULTIPOLYGON and GEOMETRYCOLLECTION, one after another, in any case. Z is
-            allowed if it is constant along a polygon.
-        notes: collects a note on open rings.
+        text: any number of POLYGON, MULTIPOLYGON and GEOMETRYCOLLECTION, case-insensitive. Z must
+            be constant in each polygon.
+        notes: receives a note on open rings.
 
     Raises:
-        FormatError: other geometries, M coordinates, varying Z, or a syntax error, with line and
-            column.
+        FormatError: other geometries, M coordinates, varying Z, or a syntax error; the message has
+            the line and the column.
 
     Example:
         >>> [len(o.vertices()) for o in parse_wkt("POLYGON ((0 0, 1 0, .5 1e2, 0 0))")]
@@ -72,7 +72,7 @@ class _Reader:
             yield from self._geometry(0)
 
     def path(self) -> list[Point]:
-        """Read a LINESTRING or a POINT, the only geometry of the text."""
+        """Read a LINESTRING or POINT, the only geometry of the text."""
         self._skip_name()
         found = self._list(self._point)
         if self.kind != "end":
@@ -169,7 +169,7 @@ class _Reader:
 
 
 def parse_wkt_path(text: str) -> list[Point] | None:
-    """Read the points of a WKT LINESTRING or POINT; None for any other geometry."""
+    """Read a WKT LINESTRING or POINT; return None for other geometries."""
     reader = _Reader(text)
     if reader.kind != "word" or reader.word.upper() not in _OTHERS:
         return None

@@ -1,4 +1,4 @@
-"""Writers of polygons, exact or failing."""
+"""Exact writers of polygons."""
 
 import json
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
@@ -30,27 +30,25 @@ def format_polygons(
     decimals: bool = False,
     coordinates: Coordinates | None = None,
 ) -> str:
-    """Write polygons as text that `parse_regions` reads back as the same polygons.
+    """Write polygons as text that `parse_regions` reads back exactly.
 
-    DXF has no holes: each ring is a closed polyline. SVG has unfilled lines and a margin.
+    In DXF, each ring is a closed polyline, even of a hole.
 
     Args:
-        polygons: Polygons and Regions, named or not. In DXF the name is that of the layer, by
-            default "0".
+        polygons: Polygons and Regions, named or not. DXF uses the layer, the name, or "0" as layer.
         form: one of FORMATS.
-        fits: exact fits, pairs of points: LINESTRINGs and POINTs in WKT and GeoJSON, lines of the
+        fits: exact fits, pairs of points: LINESTRINGs and POINTs in WKT and GeoJSON, lines on the
             layer "exact fits" in DXF, open lines in SVG, separate rows in CSV.
         decimals: whether to write JSON numbers as decimals instead of strings.
-        coordinates: the direction of Y and the unit, as from `read_regions`. Y is flipped where the
-            format points it the other way (down in SVG, up in all others); SVG and DXF state the
-            unit.
-            By default numbers are unchanged.
+        coordinates: the direction of Y and the unit, as from `read_regions`. Y is flipped if it
+            differs from the format (down in SVG, up in all others); SVG and DXF state the unit. By
+            default numbers are unchanged.
 
     Raises:
-        FormatError: an unknown format, no polygon, a coordinate such as 1/3, which only "json" can
-            hold, or a name that the format cannot hold.
+        FormatError: an unknown format, no polygon, a number such as 1/3 in a format other than
+            "json", or a name that the format cannot represent.
 
-    Cost: linear in the length of the result, times the cost of a division of that length.
+    Cost: linear in the length of the result, times the cost of a division.
 
     Example:
         >>> from exactsweep import Polygon
@@ -100,13 +98,13 @@ def _wkt(regions: Sequence[NamedRegion], fits: Sequence[Fit], unit: Fraction | N
 
 
 def write_wkt_polygon(rings: Mapping[str, Sequence[Point]]) -> str:
-    """Write one WKT POLYGON, a line, of the exterior and holes by their names in messages."""
+    """Write a WKT POLYGON on one line; the keys of the rings name them in messages."""
     rows = [write_wkt_points(name, [*ring, ring[0]]) for name, ring in rings.items()]
     return f"POLYGON ({', '.join(rows)})\n"
 
 
 def write_wkt_points(name: str, points: Sequence[Point]) -> str:
-    """Write points as a list of WKT, in parentheses; raises as `write_wkt_polygon` does."""
+    """Write points as a parenthesized list of WKT."""
     return f"({', '.join(f'{x} {y}' for x, y in _row(name, points, 'WKT'))})"
 
 
@@ -169,7 +167,7 @@ def _svg(regions: Sequence[NamedRegion], fits: Sequence[Fit], unit: Fraction | N
 
 
 def _length(number: Fraction, unit: Fraction) -> str:
-    """Write a length of SVG, in the unit of the numbers if SVG has that unit."""
+    """Format an SVG length, in the given unit if SVG has it, else in mm."""
     for name in ("mm", "cm", "in", "pt", "pc", "px"):
         if UNITS[name] == unit:
             return f"{format_decimal(number)}{name}"
@@ -177,7 +175,7 @@ def _length(number: Fraction, unit: Fraction) -> str:
 
 
 def _dxf(regions: Sequence[NamedRegion], fits: Sequence[Fit], unit: Fraction | None) -> str:
-    # Some readers assume metres where no unit is stated.
+    # Some readers assume metres if the unit is missing.
     code = next((code for code, known in INSUNITS.items() if known == unit), 0)
     tags: list[tuple[int, object]] = [(0, "SECTION"), (2, "HEADER"), (9, "$INSUNITS"), (70, code)]
     tags += [(0, "ENDSEC"), (0, "SECTION"), (2, "ENTITIES")]
@@ -213,7 +211,7 @@ def _fit_rows(fits: Sequence[Fit], form: str) -> Iterator[_Decimals]:
 
 
 def _rows(regions: Sequence[NamedRegion], form: str) -> Iterator[list[_Decimals]]:
-    """Write the vertices of all rings as decimals, holes clockwise."""
+    """Yield the rings of each region as decimals, holes clockwise."""
     for k, region in enumerate(regions):
         exterior, *holes = [_row(*ring, form) for ring in _name_rings(k, region).items()]
         yield [exterior, *(row[::-1] for row in holes)]
@@ -229,7 +227,7 @@ def _name(polygon: AnyPolygon | NamedPolygon | NamedRegion) -> NamedRegion:
 
 
 def _name_rings(k: int, region: NamedRegion) -> Mapping[str, Sequence[Point]]:
-    """Return the rings of region k by their names in messages."""
+    """Return the rings of region k, keyed by their names in messages."""
     name = f"polygon {k}" if region.name is None else ascii(region.name)[1:-1]
     exterior, *holes = region.region.rings
     return {name: exterior} | {f"{name}, hole {j}": hole for j, hole in enumerate(holes)}

@@ -37,7 +37,7 @@ class Polygon(PointSet):
 
     Args:
         vertices: pairs of numbers as `to_fraction` reads them, a Polygon, or an object with a
-            `__geo_interface__`, such as a polygon of shapely. The orientation is free. The first
+            `__geo_interface__`, such as a shapely polygon. The orientation is free. The first
             vertex may be repeated at the end; equal neighbours and collinear vertices are allowed.
 
     Raises:

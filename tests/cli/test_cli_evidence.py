@@ -78,7 +78,7 @@ def test_a_false_certificate_is_answered_by_reason_and_witness() -> None:
         (b'{"kind": "CC", "kind": "CM"}', "duplicate key 'kind'"),
         (b"[" * 100_000, "nested too deeply"),
         (b'{"version":' * 100_000, "nested too deeply"),
-        (b"9" * 5000, "not JSON that can be read: Exceeds the limit"),
+        (b"9" * 5000, "unreadable JSON: Exceeds the limit"),
         (b"\xff", "not UTF-8 text: invalid start byte at byte 0"),
         (b" " * (2**24 + 1), "more than 16 MiB (max_mib)"),
     ],

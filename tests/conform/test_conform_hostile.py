@@ -26,7 +26,7 @@ SURVIVED = {
     "endless-lines": ("malformed", "'' is not a line of JSON"),
     "gigabyte-line": ("malformed", "a line of more than 16 MiB (max_mib)"),
     "deep-json": ("malformed", "nested too deeply"),
-    "long-int": ("malformed", "not JSON that can be read"),
+    "long-int": ("malformed", "unreadable JSON"),
     "stderr-flood": ("timeout", "no answer within 0.5 s"),
     "ignores-termination": ("timeout", "no answer within 0.5 s"),
     "never-reads": ("timeout", "no answer within 0.5 s"),

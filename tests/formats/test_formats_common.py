@@ -35,7 +35,7 @@ UNIT = Polygon([(0, 0), (1, 0), (1, 1), (0, 1)])
 
 def test_entities_beyond_the_limit_are_rejected() -> None:
     text = f'<!DOCTYPE svg [<!ENTITY a "{"x" * 200}">]><svg>{"&a;" * 100_000}</svg>'
-    with pytest.raises(FormatError, match="the entity 'a' draws more than 16 MiB"):
+    with pytest.raises(FormatError, match="the entity 'a' expands to more than 16 MiB"):
         parse_polygons(text)
 
 
@@ -46,7 +46,7 @@ def test_geometries_of_shapely_are_parts() -> None:
     mixed = shapely.GeometryCollection([several, shapely.Point(0, 0), shapely.box(0, 0, 1, 1)])
     found = parts_from_shapely([mixed, several])
     assert [part.region.area for part in found] == [15, 1, 1, 15, 1]
-    assert found.left_out == ["Point is not a polygon of shapely"]
+    assert found.left_out == ["Point is not a shapely polygon"]
 
     class GeoSeries(dict[int, object]):
         """A series of geopandas has a type, too."""
@@ -55,7 +55,7 @@ def test_geometries_of_shapely_are_parts() -> None:
 
     named = parts_from_shapely(GeoSeries({7: several}))
     assert [part.name for part in named] == ["7", "7"]
-    with pytest.raises(FormatError, match="Point is not a polygon"):
+    with pytest.raises(FormatError, match="Point is not a shapely polygon"):
         parts_from_shapely([shapely.Point(0, 0)])
 
 

@@ -176,7 +176,7 @@ def test_uses_in_deep_groups_are_rejected() -> None:
 def test_nested_transformations_are_bounded() -> None:
     group = f'<g transform="scale({"7" * 4000})">'
     text = f"<svg>{group * 90}<rect width='1' height='1'/>{'</g>' * 90}</svg>"
-    with pytest.raises(FormatError, match=r"^line 1: g: the numbers of the product of transform"):
+    with pytest.raises(FormatError, match=r"^line 1: g: the product of the transform"):
         parse_polygon(text)
 
 

@@ -88,5 +88,5 @@ def test_a_group_of_separate_outlines_is_no_single_region(tmp_path: Path) -> Non
     drawing = tmp_path / "drawing.svg"
     drawing.write_text(text)
     assert [part.region.area for part in read_regions(f"{drawing}#part")] == [15, 1]
-    with pytest.raises(FormatError, match="read together: line 1: path: open end"):
+    with pytest.raises(FormatError, match="cannot nest the outlines: line 1: path: open end"):
         parse_region(GROUP.replace("</g></g>", '</g><path fill="none" d="M0 0h1v1"/></g>'), "part")

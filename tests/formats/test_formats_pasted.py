@@ -30,7 +30,7 @@ def test_several_pasted_polygons_are_read() -> None:
     found = parse_polygons("0 0\n1 0\n0 1\n\n5 5\n7 5\n5 7\n")
     assert [part.polygon.area for part in found] == [Fraction(1, 2), 2]
     assert len(parse_polygons("3 0 0 1 0 0 1 4 0 0 1 0 1 1 0 1")) == 2
-    with pytest.raises(FormatError, match="neither one pair of numbers"):
+    with pytest.raises(FormatError, match="expected one pair of numbers"):
         parse_polygons("3 0 0 1 0")
 
 
@@ -47,7 +47,7 @@ def test_several_pasted_polygons_are_read() -> None:
     ],
 )
 def test_other_formats_are_rejected_by_name(text: str, name: str) -> None:
-    with pytest.raises(FormatError, match=f"^{name}, which is not read; "):
+    with pytest.raises(FormatError, match=f"^{name} is not supported; "):
         parse_polygons(text)
 
 
@@ -110,7 +110,7 @@ def test_pieces_of_esicup_are_read() -> None:
     found = parse_polygons(text)
     assert [(part.name, int(part.polygon.area)) for part in found] == [("a", 6)]
     assert not found.coordinates.y_down
-    assert found.left_out == ["piece 'b': 2 components, which are not one outline"]
+    assert found.left_out == ["piece 'b': 2 components; only one is supported"]
 
 
 def draw_lwpolyline(layer: str, height: str) -> str:

@@ -103,7 +103,7 @@ def test_other_styles_leave_shapes_where_they_are() -> None:
 
 
 def test_sizes_in_styles_are_refused() -> None:
-    with pytest.raises(FormatError, match="width is in a style"):
+    with pytest.raises(FormatError, match="width in a style"):
         parse_polygon(svg("<rect width='2' height='1' style='width: 5px'/>"))
 
 

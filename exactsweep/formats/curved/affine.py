@@ -14,7 +14,7 @@ _ZERO = Fraction(0)
 class Affine(NamedTuple):
     """The map (x, y) -> (a x + c y + e, b x + d y + f), in the order of SVG's `matrix`.
 
-    If the true map is irrational, each of its numbers is within `off` of this one's.
+    If the true map is irrational, its coefficients differ by at most `off`.
     """
 
     a: Fraction
@@ -26,13 +26,13 @@ class Affine(NamedTuple):
     off: Fraction = Fraction(0)
 
     def __matmul__(self, first: Affine) -> Affine:
-        """Return the map that does `first` and then this one."""
+        """Return the map that applies `first` and then this one."""
         if self is IDENTITY or first is IDENTITY:
             return first if self is IDENTITY else self
         x, y = self.vector(first.a, first.b), self.vector(first.c, first.d)
         off = Fraction(0)
         if self.off or first.off:
-            # A number of the product is a sum of two products, plus at most one more number.
+            # A coefficient of the product is a sum of two products, plus at most one coefficient.
             largest, other = max(map(abs, self[:4])), max(map(abs, first[:6]))
             off = 2 * (largest * first.off + other * self.off + self.off * first.off) + self.off
         return Affine(*x, *y, *self.point(first.e, first.f), off)
@@ -49,31 +49,31 @@ class Affine(NamedTuple):
         return Point(_add_products(self.a, x, self.c, y), _add_products(self.b, x, self.d, y))
 
     def error(self, points: Iterable[Point]) -> Fraction:
-        """Bound the distance of images of points and of their hull from the true ones."""
-        # Each coordinate has an error of off * (|x| + |y| + 1); both, less than twice that.
+        """Bound the error of images of points in the convex hull of `points`."""
+        # The error of each coordinate is at most off * (|x| + |y| + 1).
         return 2 * self.off * (1 + max(abs(x) + abs(y) for x, y in points))
 
 
 def _add_products(a: Fraction, x: Fraction, b: Fraction, y: Fraction) -> Fraction:
-    """Return a x + b y, with a fast path for zeros, half of the numbers of most maps."""
+    """Return a x + b y, with a fast path for zeros, which most maps have."""
     if b and y:  # pragma: no mutate: time alone
         return a * x + b * y if a and x else b * y
     return a * x if a and x else _ZERO
 
 
 def make_affine(*numbers: int | Fraction) -> Affine:
-    """Make a map of its six numbers."""
+    """Make a map from its six coefficients."""
     found = Affine(*map(Fraction, numbers))
     return IDENTITY if found == IDENTITY else found
 
 
 def make_shift(x: Rational, y: Rational) -> Affine:
-    """Make the translation by a vector."""
+    """Make a translation."""
     return make_affine(1, 0, 0, 1, x, y)
 
 
 def make_scaling(x: Rational, y: Rational) -> Affine:
-    """Make the map that scales each coordinate by its own factor."""
+    """Make an axis-parallel scaling."""
     return make_affine(x, 0, 0, y, 0, 0)
 
 

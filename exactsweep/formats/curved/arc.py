@@ -1,7 +1,7 @@
-"""Angles with irrational sines, and the arcs between two of them.
+"""Rational approximation of angles with irrational sines, and arcs between such angles.
 
-The end of such an arc is a rational point of the circle at most 10**-40 radii from the true one,
-which interval arithmetic proves.
+The end of an arc is a rational point of the circle at most 10**-40 radii from the true end, as
+interval arithmetic proves.
 """
 
 from __future__ import annotations
@@ -36,17 +36,14 @@ def make_arc(image: Affine, start: Fraction, end: Fraction) -> Path:
 
 
 def make_rotation(degrees: Fraction, power: int = 1) -> Affine:
-    """Make the rotation by an angle in degrees, with an error of at most 10**-40 to a power."""
+    """Make a rotation by an angle in degrees, with an error of at most 10**(-40 * power)."""
     off = _NEAR**power if degrees % 90 else Fraction(0)
     c, s = find_unit_point(degrees, off)
     return make_affine(c, s, -s, c, 0, 0)._replace(off=off)
 
 
 def find_unit_point(degrees: Fraction, allowed: Fraction) -> Point:
-    """Find a rational point of the unit circle within `allowed` of the point at an angle.
-
-    Its half tangent is a decimal.
-    """
+    """Find a rational point of the unit circle within `allowed` of the point at an angle."""
     quarter, rest = divmod(degrees % 360, 90)
     return from_half_tangent(
         _round_half_tangent(rest, allowed / 2) if rest else Fraction(0), quarter
@@ -54,7 +51,7 @@ def find_unit_point(degrees: Fraction, allowed: Fraction) -> Point:
 
 
 def _round_half_tangent(degrees: Fraction, allowed: Fraction) -> Fraction:
-    """Find a decimal within the allowed distance of the tangent of half the angle."""
+    """Return a decimal within `allowed` of the tangent of half the angle."""
     digits = 3
     while allowed * 10**digits < 4:
         digits += 1
@@ -65,9 +62,9 @@ def _round_half_tangent(degrees: Fraction, allowed: Fraction) -> Fraction:
 
 
 def to_degrees(radians: Fraction) -> Fraction:
-    """Convert radians to a decimal of degrees, with an error of at most 10**-100.
+    """Convert radians to a decimal number of degrees, with an error of at most 10**-100.
 
-    Only 0 becomes a multiple of 90, because other rational radians have irrational cosines.
+    Only 0 becomes a multiple of 90, because other rational angles have irrational cosines.
     """
     if abs(radians) > _MAX_TURN:
         raise FormatError(f"an angle beyond {_MAX_TURN} radians")
@@ -81,7 +78,7 @@ def to_degrees(radians: Fraction) -> Fraction:
 
 @cache
 def _find_pi(digits: int) -> Fraction:
-    """Return pi with room for the quotients of `to_degrees`."""
+    """Return pi with guard digits."""
     from mpmath import mp
     from mpmath.libmp import to_rational
 

@@ -1,14 +1,14 @@
-"""Bezier curves and arcs of ellipses, with rational points on a decimal grid.
+"""Bezier curves and elliptical arcs, with rational points on a decimal grid.
 
-A parameter from 0 to 1 is stored as a *place*, in units of 2**-30.
+A *place* is a parameter from 0 to 1 in units of 2**-30.
 
-(1) Between two parameters at distance h, a curve C and its chord differ by at most h**2 / 8 *
-    max |C''| (linear interpolation).
-(2) (1 - t**2, 2 t) / (1 + t**2) is a rational point of the unit circle, at the angle 2 atan(t). So
-    a float t decides only the position of a point on an arc. By the angle, |C''| is at most the
-    greatest radius. Floats of angles are off by less than 2**-45, for which the share of the
-    tolerance for chords leaves room.
-(3) A curve is stored in one of its two directions, so its reverse has the same points.
+(1) Between parameters at distance h, a curve C and its chord differ by at most h**2 / 8 * max |C''|
+    (linear interpolation).
+(2) (1 - t**2, 2 t) / (1 + t**2) is a rational point of the unit circle, at the angle 2 atan(t), so
+    a float t only determines the position along the arc. With the angle as parameter, |C''| is at
+    most the greatest radius. Float angles have errors below 2**-45, covered by the share of the
+    tolerance for chords.
+(3) A curve is stored in a canonical direction, so its reverse has the same points.
 """
 
 from __future__ import annotations
@@ -24,10 +24,10 @@ from exactsweep.formats.curved.affine import Affine
 from exactsweep.numbers.number import Point
 
 BITS = 30
-"""The bits of a place on a curve."""
+"""The number of bits of a place."""
 
 WHOLE = 1 << BITS
-"""The place of the end of a curve."""
+"""The place at the end of a curve."""
 
 _TURN_BITS = 40
 _MARGIN = Fraction(1 + 2**-20)
@@ -37,7 +37,7 @@ class Curve(Protocol):
     """A curve without its ends."""
 
     def bend(self) -> Fraction:
-        """Bound the second derivative by the parameter."""
+        """Bound the length of the second derivative."""
 
     def least(self) -> int:
         """Return the minimum number of chords."""
@@ -50,16 +50,16 @@ class Curve(Protocol):
 
 
 class Bezier(NamedTuple):
-    """A Bezier curve of three or more control points, with positive weights if it is rational."""
+    """A Bezier curve with three or more control points, and positive weights if rational."""
 
     controls: Sequence[Point]
     weights: Sequence[Fraction] = ()
 
     def bend(self) -> Fraction:
-        """Bound the second derivative.
+        """Bound the length of the second derivative.
 
-        With weights C = N / W, so W C'' = N'' - 2 W' C' - W'' C and W C' = N' - W' C, for Bezier
-        curves N and W. A control point as the origin keeps |C| small.
+        With weights, C = N / W for Bezier curves N and W, so W C' = N' - W' C and
+        W C'' = N'' - 2 W' C' - W'' C. A control point as the origin keeps |C| small.
         """
         scale, points = self._lattice()
         n = len(points) - 1
@@ -78,7 +78,7 @@ class Bezier(NamedTuple):
         return (twice + 2 * n * _largest(first_w) * speed) / least / scale
 
     def least(self) -> int:
-        """Return the minimum number of chords: 1."""
+        """Return 1."""
         return 1
 
     def _lattice(self) -> tuple[int, list[tuple[int, int]]]:
@@ -124,10 +124,7 @@ class Bezier(NamedTuple):
 
 
 class Arc(NamedTuple):
-    """The image of an arc of the unit circle, counter-clockwise from the angle `first`, in radians.
-
-    The span is above 0 and at most 2 pi.
-    """
+    """The image of a unit circle arc: counter-clockwise by `span` <= 2 pi radians from `first`."""
 
     image: Affine
     first: float
@@ -135,9 +132,9 @@ class Arc(NamedTuple):
 
     @property
     def radius(self) -> Fraction:
-        """A bound on the distance of the image from its center."""
+        """A bound on the greatest radius."""
         a, b, c, d = self.image[:4]
-        # The greatest scale factor is that of a sum or a difference of two similarities.
+        # The map is the sum of two similarities; the factors add up in some direction.
         sums = (
             round_root_up((a + d) ** 2 + (b - c) ** 2),
             round_root_up((a - d) ** 2 + (b + c) ** 2),
@@ -145,11 +142,11 @@ class Arc(NamedTuple):
         return (sums[0] + sums[1]) / 2
 
     def bend(self) -> Fraction:
-        """Bound the second derivative, by (2)."""
+        """Bound the length of the second derivative, by (2)."""
         return self.radius * Fraction(self.span) ** 2 * _MARGIN
 
     def least(self) -> int:
-        """Return the minimum number of chords: one per quarter turn, rounded up."""
+        """Return one chord per quarter turn, rounded up."""
         return max(1, ceil(self.span / (pi / 2) - 2**-30))
 
     def points(self, places: Iterable[int], grid: int) -> list[Point]:
@@ -171,7 +168,7 @@ class Arc(NamedTuple):
         a, b, c, d = map(float, self.image[:4])
 
         def near(place: int) -> complex:
-            # The difference of two cosines would lose digits of small arcs.
+            # A difference of cosines would cancel for small arcs.
             half = self.span * (place / WHOLE) / 2
             step = 2j * sin(half) * rect(1, self.first + half)
             return complex(a * step.real + c * step.imag, b * step.real + d * step.imag)
@@ -180,7 +177,7 @@ class Arc(NamedTuple):
 
 
 def _find_unit_point(angle: float) -> tuple[int, int, int]:
-    """Return a point of the unit circle near an angle: two numerators, the denominator."""
+    """Return a point of the unit circle near an angle: two numerators and the denominator."""
     quarters = floor(angle / (pi / 2) + 0.5)
     t = round(tan((angle - quarters * (pi / 2)) / 2) * (1 << _TURN_BITS))
     one, square = 1 << 2 * _TURN_BITS, t * t
@@ -209,7 +206,7 @@ def round_root_up(square: Fraction, scale: int = 1) -> Fraction:
     (Fraction(2, 1), Fraction(0, 1))
     """
     n, d = square.as_integer_ratio()
-    # sqrt(n / d) = sqrt(n d) / d; short arguments are scaled for more digits.
+    # sqrt(n / d) = sqrt(n d) / d; scale short arguments for more digits.
     widen = scale * (1 << max(0, 60 - (n * d).bit_length()) // 2)
     widened = n * d * widen * widen
     root = isqrt(widened)
@@ -217,7 +214,7 @@ def round_root_up(square: Fraction, scale: int = 1) -> Fraction:
 
 
 def find_arc_center(start: Point, end: Point, height: Fraction) -> Point:
-    """Return the center of an arc, `height` half chords left of the middle of its chord."""
+    """Return the center of an arc, `height` half chords to the left of the chord's midpoint."""
     dx, dy = (end.x - start.x) / 2, (end.y - start.y) / 2
     return Point(start.x + dx - height * dy, start.y + dy + height * dx)
 
@@ -225,7 +222,7 @@ def find_arc_center(start: Point, end: Point, height: Fraction) -> Point:
 def make_round_arc(
     center: Point, start: Point, end: Point, image: Affine, *, left: bool
 ) -> tuple[Arc, bool]:
-    """Make the image of an arc of a circle; return it, and whether it runs from start to end.
+    """Return the image of a circular arc, and whether it runs from start to end.
 
     Equal ends make a full circle. `left` means counter-clockwise.
     """
@@ -238,14 +235,14 @@ def make_round_arc(
 
 
 def make_bezier(controls: Sequence[Point], weights: Sequence[Fraction] = ()) -> tuple[Bezier, bool]:
-    """Make a Bezier curve in its canonical direction; return whether that is the given one."""
+    """Return a Bezier curve in its canonical direction, and whether that is the given one."""
     if [*controls] <= [*controls[::-1]]:
         return Bezier(controls, weights), True
     return Bezier(controls[::-1], weights[::-1]), False
 
 
 def _find_powers(column: Sequence[int]) -> list[int]:
-    """Return the coefficients of the powers of the parameter, the highest first."""
+    """Return the power basis coefficients, the highest first."""
     found, row, binomial = [], [*column], 1
     degree = len(column) - 1
     for k in range(degree + 1):
@@ -256,7 +253,7 @@ def _find_powers(column: Sequence[int]) -> list[int]:
 
 
 def _evaluate(powers: Sequence[int], place: int) -> int:
-    """Return a value times the scale of parameters to the power of the degree."""
+    """Evaluate by Horner's rule; the result is scaled by WHOLE to the degree."""
     value, shift = powers[0], 0
     for power in powers[1:]:
         shift += BITS

@@ -1,4 +1,4 @@
-"""Dots of SVG: zero-length paths, which round caps draw as discs as wide as the stroke."""
+"""SVG dots: zero-length paths with round caps, drawn as discs as wide as the stroke."""
 
 from __future__ import annotations
 
@@ -13,10 +13,7 @@ _UNPAINTED = ("none", "transparent")
 
 
 def draw_dot(path: Path, shape: PlacedElement, matrix: Affine) -> Path | None:
-    """Return the disc that a zero-length path draws; None for all other paths.
-
-    Raises FormatError if the width of the stroke is not a number.
-    """
+    """Return the disc of a zero-length path, else None; raises FormatError for a bad width."""
     x, y = path.points[0]
     is_round = shape.inherited("stroke-linecap", "butt") == "round"
     if not is_round or len(path.points) < 2 or not is_point(path):

@@ -1,4 +1,4 @@
-"""Reader of DXF: closed outlines of lines, polylines and curves, and placed blocks."""
+"""Reader of DXF: lines, polylines, curves and blocks."""
 
 from __future__ import annotations
 
@@ -28,12 +28,12 @@ _FULL, _ZERO = Fraction(360), Fraction(0)
 
 
 def parse_dxf(text: str, reading: Reading) -> list[Candidate]:
-    """Find the closed outlines of an ASCII DXF text, among them those of open lines of one layer.
+    """Find the outlines of an ASCII DXF text, joining open lines on the same layer.
 
     Raises:
-        FormatError: not DXF, no unit where one is wanted, or limits exceeded.
+        FormatError: not DXF, a requested unit is unknown, or a limit exceeded.
 
-    Cost: linear in the length of the text, and in what blocks draw.
+    Cost: linear in the length of the text and in the number of drawn entities.
     """
     drawing = read_drawing(text)
     scale = reading.scale(drawing.unit)
@@ -51,7 +51,7 @@ def _draw(placed: PlacedEntity, reading: Reading) -> Candidate | OpenLine:
         if kind in _ORNAMENTS:
             raise OrnamentError("no outline")
         if kind not in _READERS:
-            raise FormatError("no line, polyline, arc, circle, ellipse, spline or block")
+            raise FormatError("not a line, polyline, arc, circle, ellipse, spline or block")
         path = _READERS[kind](placed.entity, placed.image, reading)
     except ValueError as error:
         is_ornament = isinstance(error, OrnamentError)
@@ -84,7 +84,7 @@ def _read_polyline(entity: Entity, image: Affine, reading: Reading) -> Path:
 
 
 def _follow(points: Sequence[Point], bulges: Sequence[Fraction], image: Affine) -> Path:
-    """Draw a polyline; a bulge is the tangent of a fourth of the angle of an arc."""
+    """Draw a polyline; a bulge is the tangent of a quarter of an arc's angle."""
     path = draw_lines(points, image)
     if any(bulges):
         for k, (start, end) in enumerate(pairwise(points)):
@@ -118,9 +118,9 @@ def _read_ellipse(entity: Entity, image: Affine, reading: Reading) -> Path:
 
 
 def _turn(image: Affine, start: Fraction, end: Fraction, reading: Reading) -> Path:
-    """Draw the image of an arc of the unit circle; all of it if the gap is invisible."""
+    """Draw the image of an arc of the unit circle, or the whole circle if the gap is invisible."""
     span = (end - start) % _FULL
-    gap = min(span, _FULL - span) / 50  # no less than in radians
+    gap = min(span, _FULL - span) / 50  # an upper bound in radians
     size = Fraction(sum(map(abs, image[:4])))
     seen = 16 * gap * (1 + size) > (reading.tolerance or find_share(size, CURVED))
     if start == end or (abs(end - start) > _FULL / 2 and not seen):
@@ -142,7 +142,7 @@ def _read_spline(entity: Entity, image: Affine, reading: Reading) -> Path:
 
 
 def _read_solid(entity: Entity, image: Affine, reading: Reading) -> Path:
-    """Read a filled triangle or quadrangle, whose last two corners are swapped."""
+    """Read a filled triangle or quadrangle; DXF swaps the last two corners."""
     reading.require_level(entity.take(30, 31, 32, 33, default="0"))
     codes = (10, 11, 13, 12) if entity.numbers(13) else (10, 11, 12)
     return draw_lines([entity.point(code) for code in (*codes, 10)], image @ entity.plane)

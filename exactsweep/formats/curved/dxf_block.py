@@ -1,4 +1,4 @@
-"""Blocks of DXF, as INSERTs move, rotate, mirror and scale them."""
+"""DXF blocks, placed by INSERTs."""
 
 from __future__ import annotations
 
@@ -13,20 +13,20 @@ from exactsweep.formats.reading import MAX_COPIES, Reading
 from exactsweep.numbers.error import quote
 
 MAX_DEPTH = 32
-"""The greatest depth of nested blocks."""
+"""Maximum depth of nested blocks."""
 
-# Notes, dimensions and systems, which draw no outline.
+# Entities that draw no outline.
 _NOTES = {"TEXT", "MTEXT", "ATTDEF", "ATTRIB", "DIMENSION", "LEADER", "MULTILEADER", "TOLERANCE"}
 _NOTES |= {"POINT", "VIEWPORT", "IMAGE", "WIPEOUT"}
 
 
 class PlacedEntity(NamedTuple):
-    """An entity where it is drawn.
+    """An entity in its place in the drawing.
 
     Attributes:
         image: the map from the entity to the drawing.
-        layer: its layer: "0" inside a block is the layer of the INSERT.
-        around: the places of the INSERTs that draw it, for messages.
+        layer: its layer; "0" inside a block is replaced by the layer of the INSERT.
+        around: the locations of the INSERTs that draw it, for messages.
         fault: why an INSERT cannot be drawn, else "".
     """
 
@@ -47,17 +47,17 @@ class Blocks:
 
     def __init__(self, drawing: Drawing, reading: Reading) -> None:
         self.drawing, self.blocks, self.reading = drawing, drawing.blocks, reading
-        # The maps of each INSERT by its line, cached.
+        # Cached maps of each INSERT, by line.
         self._maps: dict[int, list[Affine]] = {}
 
     def place(self, entity: Entity, image: Affine) -> Iterator[PlacedEntity]:
-        """Yield an entity, or what an INSERT draws, each with its own fault; count hidden ones."""
+        """Yield an entity, or the entities that an INSERT draws; count hidden ones."""
         return self._place(PlacedEntity(entity, image, entity.layer), ())
 
     def _is_hidden(self, placed: PlacedEntity) -> bool:
         layer = placed.layer.upper()
         reason = self.drawing.hidden.get(layer, "")
-        # Entities of a block on other layers are visible if the layer of the INSERT is off.
+        # If the layer of the INSERT is off, entities on other layers are still visible.
         if placed.entity.kind == "INSERT" and reason != FROZEN:
             reason = ""
         if layer in self.drawing.unplotted and placed.entity.kind != "INSERT":
@@ -104,7 +104,7 @@ class Blocks:
 
     def _own_maps(self, insert: Entity, block: list[Entity]) -> list[Affine]:
         columns, rows = (max(1, int(insert.number(code, "1"))) for code in (70, 71))
-        # Copies of an empty block count, too.
+        # Count copies of an empty block, too.
         drawn = len(block) - 1 or 1
         if columns * rows * drawn > MAX_COPIES:
             raise FormatError(f"expands to more than {MAX_COPIES:,} entities")

@@ -1,4 +1,4 @@
-"""Entities of a DXF text, whose values are still text."""
+"""DXF entities, with unparsed values."""
 
 from __future__ import annotations
 
@@ -19,23 +19,20 @@ from exactsweep.numbers.number import Point
 _LAYER, _FLAGS, _PAPER, _NAME, _INVISIBLE, _COLOR, _PLOT = 8, 70, 67, 2, 60, 62, 290
 _BULGE, _COMMENT = 42, 999
 _FROZEN = 1
-# The groups of the normal of an entity's plane, and its defaults.
+# The groups of the extrusion direction, and their defaults.
 _NORMAL = {210: "0", 220: "0", 230: "1"}
 _MIRRORED = Affine(*map(Fraction, (-1, 0, 0, 1, 0, 0)))
 _FRAME = 16
-# The shown letters of an unknown kind.
+# Longer kinds are quoted.
 _LONG = 40
-# A group code and two line ends, at least.
+# Minimum bytes of a group code and two line ends.
 _GROUP = 4
 FROZEN = "frozen"
-"""The reason of a layer that hides blocks inserted on it, too."""
+"""The state of a layer that also hides blocks inserted on it."""
 
 
 class Entity:
-    """An entity: group codes and texts, those of its kind first, and the line of the kind.
-
-    The `vertices` are the entities that follow it and belong to it.
-    """
+    """An entity: its group codes and texts, its line, and the VERTEX entities of a POLYLINE."""
 
     __slots__ = ("codes", "kind", "line", "texts", "vertices")
 
@@ -57,18 +54,18 @@ class Entity:
 
     @property
     def size(self) -> int:
-        """The bytes charged for it and its vertices."""
+        """The bytes charged for the entity and its vertices."""
         own = ENTITY + sum(len(text) + _GROUP for text in self.texts)
         return own + sum(vertex.size for vertex in self.vertices)
 
     def number(self, code: int, default: str | None = None) -> Fraction:
-        """Return the number with a group code; a missing one needs a default."""
+        """Return the number with a group code, or the default."""
         text = self._text(code, default)
         with name_refusals(f"group {code}", FormatError):
             return read_decimal(text)
 
     def point(self, code: int) -> Point:
-        """Return the point of a group code for x; that of y is ten more."""
+        """Return the point whose x has a group code and whose y has that code plus 10."""
         return Point(*self.take(code, code + 10))
 
     def flags(self) -> int:
@@ -77,7 +74,7 @@ class Entity:
 
     @property
     def hidden(self) -> str:
-        """Why it is hidden regardless of its layer; "" if it is not."""
+        """Why the entity is hidden regardless of its layer, else ""."""
         if self._text(_PAPER, "0") == "1":
             return "in paper space"
         return "made invisible" if self._text(_INVISIBLE, "0") == "1" else ""
@@ -87,19 +84,19 @@ class Entity:
         return _read_group(code, [*compress(self.texts, map(code.__eq__, self.codes))])
 
     def points(self, code: int) -> list[Point]:
-        """Return all points whose x has a group code, and whose y has that code plus 10."""
+        """Return all points with a group code, as in `point`."""
         xs, ys = self.numbers(code), self.numbers(code + 10)
         if len(xs) != len(ys):
             raise FormatError(f"{len(xs)} numbers of group {code}, {len(ys)} of group {code + 10}")
         return [*map(Point, xs, ys)]
 
     def take(self, *codes: int, default: str | None = None) -> list[Fraction]:
-        """Return the numbers with several group codes, as `number` does each."""
+        """Return one number for each group code, like `number`."""
         return [self.number(code, default) for code in codes]
 
     @property
     def plane(self) -> Affine:
-        """The map from the entity's plane to that of x and y, seen from above."""
+        """The map from the entity's plane to the XY plane."""
         normal = [self.number(code, default) for code, default in _NORMAL.items()]
         if normal[:2] == [0, 0] and normal[2]:
             return IDENTITY if normal[2] > 0 else _MIRRORED
@@ -111,9 +108,9 @@ class Entity:
         return self._text(_NAME, None)
 
     def corners(self) -> tuple[list[Point], list[Fraction]]:
-        """Return the vertices of an LWPOLYLINE, and the bulges of the edges after them."""
+        """Return the vertices of an LWPOLYLINE and the bulges of the edges after them."""
         points = self.points(10)
-        # The last one takes a bulge before all points.
+        # The extra entry receives a bulge before the first point.
         bulges = [Fraction(0)] * (len(points) + 1)
         place = -1
         for code, text in zip(self.codes, self.texts, strict=True):
@@ -123,11 +120,11 @@ class Entity:
         return points, bulges[:-1]
 
     def vertex_corners(self, reading: Reading) -> tuple[list[Point], list[Fraction]]:
-        """Return the same for a POLYLINE, from the VERTEX entities that follow it."""
+        """Return the vertices and bulges of a POLYLINE."""
         points, bulges, heights = [], [], []
         for vertex in self.vertices:
             with name_refusals(vertex.place):
-                # The frame of a fitted curve is not drawn.
+                # The control frame of a fitted curve is not drawn.
                 if not vertex.flags() & _FRAME:
                     points.append(vertex.point(10))
                     heights.append(vertex.number(30, "0"))
@@ -143,10 +140,10 @@ class Entity:
 
 
 class Drawing(NamedTuple):
-    """The drawing of a DXF text.
+    """The contents of a DXF text.
 
-    Each block begins with its own entity, which has the base point. `hidden` has the reason by the
-    layer's name in upper case.
+    Each block begins with its BLOCK entity, which has the base point. `hidden` maps the names of
+    hidden layers, in upper case, to reasons.
     """
 
     entities: list[Entity]
@@ -171,7 +168,7 @@ def read_drawing(text: str) -> Drawing:
 
 
 def _read_sections(text: str) -> dict[str, list[Entity]]:
-    """Find the entities of each section, after its own, which has the header values."""
+    """Find the entities of each section; the SECTION entity comes first, with the header values."""
     require_size(len(text))
     sections: dict[str, list[Entity]] = {}
     section: list[Entity] | None = None
@@ -198,7 +195,7 @@ def _read_sections(text: str) -> dict[str, list[Entity]]:
 
 
 def _divide(text: str) -> Iterator[Entity]:
-    """Divide a text into entities; group codes and values alternate by line."""
+    """Divide a text into entities; lines are group codes and values, alternately."""
     lines = text.replace("\r\n", "\n").replace("\r", "\n").split("\n")
     words, values = lines[::2], lines[1::2]
     known: dict[str, int] = {}
@@ -206,24 +203,23 @@ def _divide(text: str) -> Iterator[Entity]:
         with suppress(ValueError):
             known[word] = int(word)
     found = [*map(known.get, words[: len(values)])]
-    # Text after the end of the file may have no group codes.
+    # Text after EOF may lack group codes.
     codes = cast(list[int], found[: found.index(None)] if None in found else found)
     starts = [k for k, code in enumerate(codes) if code == 0]
-    # Includes the vertices of old polylines.
     require_count(len(starts), ENTITY, "entities")
-    # Equal rows of codes share one object.
+    # Equal tuples of codes share one object, to save memory.
     same: dict[tuple[int, ...], tuple[int, ...]] = {}
     for start, end in pairwise([*starts, len(codes)]):
         own = tuple(codes[start:end])
         entity = Entity(same.setdefault(own, own), values[start:end], 2 * start + 2)
         if end == len(codes) < len(values) and entity.kind != "EOF":
             place = f"line {2 * end + 1}: {quote(words[end])}"
-            raise FormatError(f"not DXF: {place} is no group code")
+            raise FormatError(f"not DXF: {place} is not a group code")
         yield entity
 
 
 def _layers(found: Iterable[Entity]) -> tuple[dict[str, str], set[str]]:
-    """Find hidden layers, and visible ones that do not plot."""
+    """Find the hidden layers, and the visible ones that do not plot."""
     hidden = {"DEFPOINTS": "for the points of dimensions"}
     unplotted = set()
     for layer in found:
@@ -240,7 +236,7 @@ def _layers(found: Iterable[Entity]) -> tuple[dict[str, str], set[str]]:
 
 
 def _gather(found: Iterable[Entity]) -> list[Entity]:
-    """List entities; a POLYLINE gets the vertices that follow it."""
+    """List entities; move VERTEX entities into their POLYLINE."""
     entities: list[Entity] = []
     vertices: list[Entity] | None = None
     for entity in found:

@@ -1,4 +1,4 @@
-"""Open lines joined at their ends to closed outlines."""
+"""Joining of open lines to closed outlines."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ from exactsweep.words import count
 
 # Maximum number of joints near an end.
 _MAX_CROWD = 64
-# Ends within this fraction of the reach of a joint differ by rounding.
+# Gaps below the reach divided by this are rounding.
 _ROUNDED = 250
 
 
@@ -33,9 +33,9 @@ class OpenLine(NamedTuple):
     """An open line.
 
     Attributes:
-        shape: its place, names and fill rule.
+        shape: its location, names and fill rule.
         ends: its first and its last point.
-        path: the path between them; None for a straight one.
+        path: the path between them; None for a straight line.
         is_exact: whether its ends are exact.
     """
 
@@ -46,23 +46,23 @@ class OpenLine(NamedTuple):
 
     @classmethod
     def of(cls, shape: Candidate, path: Path, *, is_exact: bool) -> OpenLine:
-        """Make the line of a path."""
+        """Make an open line from a path."""
         is_straight = len(path.points) == 2 and path.is_exact
         ends = path.points[0], path.points[-1]
         return cls(shape, ends, None if is_straight else path, is_exact)
 
     @property
     def key(self) -> Hashable:
-        """A value that differs for other lines with the same ends; () for a straight line."""
+        """A key that distinguishes lines with the same ends; () for a straight line."""
         return self.path.key if self.path else ()
 
     def run(self, start: Point, end: Point) -> Path:
-        """Return its path between its moved ends."""
+        """Return its path, with the ends moved to the given points."""
         return (self.path or Path(self.ends)).moved(start, end)
 
 
 class _Joined(NamedTuple):
-    """A line, its number in the file, and the joints of its ends."""
+    """A line, its index in the file, and the joints of its ends."""
 
     order: int
     line: OpenLine
@@ -70,7 +70,7 @@ class _Joined(NamedTuple):
 
 
 def gather(drawn: Iterable[Candidate | OpenLine], reading: Reading) -> list[Candidate]:
-    """List the outlines of a file in order, with the open lines of each layer joined."""
+    """Join the open lines of each layer, and list all outlines in file order."""
     found: list[tuple[int, Candidate]] = []
     lines: defaultdict[str | None, dict[int, OpenLine]] = defaultdict(dict)
     for order, one in enumerate(drawn):
@@ -84,13 +84,13 @@ def gather(drawn: Iterable[Candidate | OpenLine], reading: Reading) -> list[Cand
 
 
 def join(lines: Mapping[int, OpenLine], reading: Reading) -> Iterator[tuple[int, Candidate]]:
-    """Join the lines of one layer whose ends are equal or close; yield numbers and candidates.
+    """Join the lines of one layer; yield the candidates with their indices.
 
-    Each end snaps to the nearest joint within reach, or becomes a joint. Exact ends come first,
-    with a reach of `reading.join`; then the others, with a quarter of the tolerance more; both in
-    file order. A repeated line counts once. A line whose ends move to one joint vanishes from an
-    outline through that joint; elsewhere it is rejected, for it may be a hole. So is a connected
-    set of lines unless every end meets exactly one other; a straight line alone is an ornament.
+    Each end snaps to the nearest joint within reach, or becomes a new joint. Exact ends come first,
+    with a reach of `reading.join`; the reach of the others is at least a quarter of the tolerance.
+    Repeated lines are ignored. A line with both ends at one joint is dropped if an outline passes
+    through it; otherwise it is rejected, since it may be a hole. Connected lines are rejected
+    unless exactly two ends meet at each joint; a single straight line is an ornament.
     """
     joints = Joints(reading.join or Fraction(0))
     find = joints.find
@@ -142,7 +142,7 @@ def _is_long(line: OpenLine, reach: Fraction) -> bool:
 
 
 def find_tolerance(lines: Iterable[OpenLine]) -> Fraction:
-    """Return the tolerance, from the size of the drawing; ends join within a quarter of it."""
+    """Derive the tolerance from the size of the drawing; ends join within a quarter of it."""
     xs, ys = zip(*(end for line in lines for end in line.ends), strict=True)
     return find_share(max(max(xs) - min(xs), max(ys) - min(ys)), CURVED)
 
@@ -150,7 +150,7 @@ def find_tolerance(lines: Iterable[OpenLine]) -> Fraction:
 def _note_gaps(
     placed: Sequence[tuple[int, OpenLine, list[int]]], joints: Joints, reading: Reading
 ) -> None:
-    """Note gaps between joined ends of curves that exceed the rounding of decimals."""
+    """Note closed gaps that are too large for rounding."""
     first: dict[int, Point] = {}
     gaps = []
     for _, line, ends in placed:
@@ -166,9 +166,9 @@ def _note_gaps(
 
 
 class Joints:
-    """Points to which ends of lines snap within `reach`, in the cells of a grid.
+    """Points to which line ends within `reach` snap, in a hash grid.
 
-    With a tolerance, new joints are rounded as by `round_points`.
+    With a tolerance, new joints are rounded to a decimal grid.
     """
 
     def __init__(
@@ -177,13 +177,13 @@ class Joints:
         self.reach, self.tolerance = reach, tolerance
         self.points: list[Point] = []
         self._cells: defaultdict[tuple[object, object], list[int]] = defaultdict(list)
-        # Ints are hashed in a tenth of the time of Fractions.
+        # Hashing ints is ten times as fast as hashing Fractions.
         self._found: dict[tuple[int, ...], int] = {}
         for joint in known:
             self._add(joint)
 
     def find(self, end: Point) -> int:
-        """Return the number of the closest joint within reach; make one if there is none."""
+        """Return the index of the closest joint within reach, or of a new one."""
         key = end.x.numerator, end.x.denominator, end.y.numerator, end.y.denominator
         if key not in self._found:
             self._found[key] = self._find_closest(end) if self.reach else self._add(end)
@@ -233,7 +233,7 @@ def _outlines(
         seen.add(first)
         for k in together:
             for joint in lines[k].joints:
-                # Each joint once: very many lines may meet there.
+                # Visit each joint only once, because many lines may meet there.
                 if joint in passed:
                     continue
                 passed.add(joint)
@@ -275,7 +275,7 @@ def _fault(line: OpenLine, end: Point, count: int, reading: Reading) -> str:
 def _walk(
     lines: Sequence[_Joined], at: Mapping[int, Sequence[int]], points: Sequence[Point], first: int
 ) -> Path:
-    """Follow lines whose ends each meet one other, back to the first."""
+    """Follow a closed chain of lines."""
     outline = Path()
     k, joint = first, lines[first].joints[0]
     while True:
@@ -295,7 +295,7 @@ def _walk(
 
 
 def draw_outline(path: Path, shape: Candidate, reading: Reading) -> Candidate:
-    """Return a shape with the outline of a closed path, filled by SVG's rule if not simple."""
+    """Return a shape with the outline of a closed path; its fill rule applies if not simple."""
 
     def read_vertices() -> list[Point]:
         with name_refusals(shape.place):

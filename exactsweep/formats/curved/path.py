@@ -1,13 +1,13 @@
-"""Paths of lines and curves, and the chords that replace the curves.
+"""Paths of lines and curves, and their flattening.
 
-Chords between rational points of a curve use less than half of the tolerance, by (1) of `curves`,
-rounding less than a fifth, and moved ends a fourth. So a path and its chords are less than the
-tolerance apart, parameter by parameter.
+Chords between rational points use less than half of the tolerance, by (1) of `curves`, rounding
+less than a fifth, and moved ends a quarter. So a path and its chords differ by less than the
+tolerance at each parameter.
 
-Chords of two curves that leave a vertex in nearly one direction could cross although the curves do
-not. So both get vertices at equal distances from there, until they are apart: segments from one
-point cross only if their order around it changes. If the chords of a closed path cross
-nevertheless, finer tolerances are tried.
+If two curves leave a vertex in nearly the same direction, their chords might cross although the
+curves do not. So both get vertices at equal distances from there, until they are far apart:
+segments from one point cross only if their order around it changes. If chords of a closed path
+still cross, finer tolerances are tried.
 """
 
 from __future__ import annotations
@@ -28,16 +28,16 @@ from exactsweep.numbers.number import Point
 _Found = TypeVar("_Found")
 _CHORDS = Fraction(12, 25)
 _LEVELS = 3
-# Curves are apart at this many tolerances, or at more than 60 degrees.
+# Curves are far apart at this many tolerances, or at more than 60 degrees.
 _APART = 8
 _SAMPLES = 8
 _BISECTIONS = 32
-# The default tolerance as a share of the size of a path: with curves, and without.
+# Divisors of the size of a path for the default tolerance, with and without curves.
 CURVED, _STRAIGHT = 1000, 10**9
 
 
 class _End:
-    """A curve as seen from one of its ends."""
+    """A curve parametrized from one of its ends."""
 
     def __init__(self, curve: Curve, *, at_start: bool) -> None:
         self.at_start, self._near = at_start, curve.sampler()
@@ -48,7 +48,7 @@ class _End:
 
 
 class SimpleLines(list[Point]):
-    """The vertices of a closed line, and their Polygon; None if it is not simple."""
+    """The vertices of a closed polyline, and their Polygon if it is simple."""
 
     def __init__(self, points: Iterable[Point], polygon: Polygon | None) -> None:
         super().__init__(points)
@@ -56,12 +56,12 @@ class SimpleLines(list[Point]):
 
 
 class Path:
-    """Points, and the curves between some of them; a closed path repeats its first point.
+    """Points, with lines or curves between them; a closed path repeats its first point.
 
     Attributes:
-        curves: by the number of their first point, with whether they run forward.
+        curves: by the index of the first point, each with whether it runs forward.
         off: a bound on the error of points and curves.
-        soft: the numbers of points that may be rounded, such as joints of a spline.
+        soft: the indices of points that may be rounded, such as spline joints.
         gap: the distance by which ends were moved to other lines.
     """
 
@@ -79,12 +79,12 @@ class Path:
         self._lines: tuple[Fraction, list[Point]] | None = None
 
     def add_curve(self, curve: Curve, end: Point, *, forward: bool) -> None:
-        """Add a curve to the last point."""
+        """Append a curve."""
         self.curves[len(self.points) - 1] = curve, forward
         self.points.append(end)
 
     def add(self, other: Path) -> None:
-        """Add a path that begins at the last point, or near it."""
+        """Append a path that begins at or near the last point."""
         shift = len(self.points) - 1
         self.points += other.points[1:]
         self.curves |= {k + shift: drawn for k, drawn in other.curves.items()}
@@ -92,7 +92,7 @@ class Path:
         self.off, self.gap = max(self.off, other.off), max(self.gap, other.gap)
 
     def reversed(self) -> Path:
-        """Return the path from its end to its start."""
+        """Return the reversed path."""
         last = len(self.points) - 2
         curves = {last - k: (curve, not way) for k, (curve, way) in self.curves.items()}
         found = Path(self.points[::-1], curves, self.off)
@@ -117,7 +117,7 @@ class Path:
 
     @property
     def key(self) -> Hashable:
-        """A value that equal paths share in both directions; () for a straight line."""
+        """A key of the path in either direction; () for a straight line."""
         if len(self.points) == 2 and not self.curves:
             return ()
         curves = frozenset(curve for curve, _ in self.curves.values())
@@ -125,17 +125,17 @@ class Path:
 
     @property
     def is_closed(self) -> bool:
-        """Whether its last point is its first."""
+        """Whether the last point equals the first."""
         return self.points[0] == self.points[-1]
 
     @property
     def is_exact(self) -> bool:
-        """Whether it has neither a curve nor an irrational point."""
+        """Whether it has neither curves nor irrational points."""
         return not self.curves and not self.off
 
     @property
     def size(self) -> Fraction:
-        """About the greater side of its box."""
+        """The approximate longer side of the bounding box."""
         xs, ys = [x for x, _ in self.points], [y for _, y in self.points]
         for k, (curve, forward) in self.curves.items():
             x, y = self.points[k if forward else k + 1]
@@ -147,7 +147,7 @@ class Path:
         return max(max(xs) - min(xs), max(ys) - min(ys))
 
     def find_tolerance(self, reading: Reading) -> Fraction:
-        """Return the tolerance of the reading, or a power of ten by the size of the path."""
+        """Return the tolerance of the reading, or derive it from the size of the path."""
         if self.is_exact:
             return Fraction(0)
         if reading.tolerance is not None:
@@ -155,12 +155,12 @@ class Path:
         return find_share(self.size, CURVED if self.curves else _STRAIGHT)
 
     def find_error(self, reading: Reading) -> Fraction:
-        """Bound the distance of the path and its lines."""
+        """Bound the distance between the path and its chords."""
         tolerance = self.find_tolerance(reading)
         return tolerance + (self.gap if 4 * self.gap > tolerance else 0)
 
     def flatten(self, reading: Reading, finer: int = 0) -> list[Point]:
-        """Replace curves by chords; by finer ones if a closed path would cross itself.
+        """Replace curves by chords, refined if a closed path would cross itself.
 
         Raises FormatError for too many chords. Cost: O((size / tolerance) ** 0.5) for each curve.
         """
@@ -168,7 +168,6 @@ class Path:
             return self.points
         tolerance = self.find_tolerance(reading) / 10**finer
         if self._lines and self._lines[0] == tolerance:
-            # Cached: read for the box, the shape and the vertices.
             return self._lines[1]
         found = self.draw(tolerance, reading, fine=finer > 0)
         if not finer:
@@ -181,7 +180,7 @@ class Path:
         return found
 
     def draw(self, tolerance: Fraction, reading: Reading, *, fine: bool = False) -> list[Point]:
-        """Replace curves by lines within a tolerance."""
+        """Replace curves by chords within a tolerance."""
         grid = find_grid(tolerance / (1000 if fine else 1))
         places = {k: _divide(curve, tolerance, reading) for k, (curve, _) in self.curves.items()}
         if self.off * 16 > tolerance:
@@ -209,7 +208,7 @@ class Path:
         return found
 
     def _corners(self) -> Iterator[tuple[int, int]]:
-        """Yield the numbers of two curves that meet."""
+        """Yield the indices of consecutive curves."""
         for k in self.curves:
             after = (k + 1) % (len(self.points) - 1) if self.is_closed else k + 1
             if after in self.curves and after != k:
@@ -218,7 +217,7 @@ class Path:
     def _part(
         self, before: int, after: int, places: dict[int, list[int]], tolerance: Fraction
     ) -> None:
-        """Give two curves that meet vertices at the same distances, until they are apart."""
+        """Add vertices to consecutive curves at equal distances from their common point."""
         (one, one_way), (other, other_way) = self.curves[before], self.curves[after]
         try:
             ends = _End(one, at_start=not one_way), _End(other, at_start=other_way)
@@ -252,7 +251,7 @@ class Path:
 
 
 def _divide(curve: Curve, tolerance: Fraction, reading: Reading) -> list[int]:
-    """Return the parameters between chords that keep their share of the tolerance."""
+    """Return the parameters between chords within their share of the tolerance."""
     bend = curve.bend() / (8 * _CHORDS * tolerance)
     count = max(curve.least(), -(-round_root_up(bend) // 1))
     reading.allow_lines(count)
@@ -260,7 +259,7 @@ def _divide(curve: Curve, tolerance: Fraction, reading: Reading) -> list[int]:
 
 
 def _list_distances(end: _End, places: Sequence[int]) -> list[tuple[float, int]]:
-    """List distances from an end with their parameters, while they grow."""
+    """List (distance from the end, place) while the distance grows."""
     row: list[tuple[float, int]] = [(0.0, 0)]
     ordered = sorted(places) if end.at_start else [WHOLE - p for p in sorted(places)[::-1]]
     for place in [*ordered, WHOLE]:
@@ -272,7 +271,7 @@ def _list_distances(end: _End, places: Sequence[int]) -> list[tuple[float, int]]
 
 
 def _find_place(end: _End, row: Sequence[tuple[float, int]], distance: float) -> int:
-    """Find the parameter at a distance from an end."""
+    """Find the place at a distance from the end, by bisection."""
     low = high = 0
     for known, place in row:
         if known == distance:
@@ -294,8 +293,7 @@ def flatten_together(
 ) -> tuple[list[list[Point]], _Found | None]:
     """Flatten paths, more finely while `use` raises PolygonError.
 
-    Returns:
-        The rings and the result of `use`; the first rings and None if finer ones do not help.
+    Returns the rings and the result of `use`, or the coarsest rings and None if all attempts fail.
     """
     said = ""
     found = rings = [*first] or [path.flatten(reading) for path in paths]
@@ -303,7 +301,7 @@ def flatten_together(
         try:
             return rings, use(rings)
         except PolygonError as error:
-            # The same error at a finer tolerance: the paths cross, not only their lines.
+            # The same error at a finer tolerance: the curves themselves cross.
             if finer > _LEVELS or str(error) == said or not any(path.curves for path in paths):
                 break
             said = str(error)
@@ -315,7 +313,7 @@ def flatten_together(
 
 
 def find_share(size: Fraction, share: int) -> Fraction:
-    """Return the greatest power of ten that is at most a share of a size; 1 for no size."""
+    """Return the greatest power of ten that is at most size / share, or 1 for size 0."""
     found, least = Fraction(1), size / share
     if not size:
         return found
@@ -327,7 +325,7 @@ def find_share(size: Fraction, share: int) -> Fraction:
 
 
 def find_grid(tolerance: Fraction) -> int:
-    """Return the power of ten for a grid on which rounding takes a fifth of a tolerance."""
+    """Return a power of ten such that rounding to its inverse uses a fifth of a tolerance."""
     grid = 1
     while tolerance * grid < 4:
         grid *= 10
@@ -347,7 +345,7 @@ def place_points(points: Sequence[Point], image: Affine) -> list[Point]:
 
 
 def draw_lines(points: Sequence[Point], image: Affine) -> Path:
-    """Make the path of the images of points."""
+    """Make the path through the images of points."""
     return Path(place_points(points, image), off=image.error(points) if image.off else Fraction(0))
 
 

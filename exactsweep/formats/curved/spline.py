@@ -1,8 +1,8 @@
-"""B-splines as exact Bezier curves: each control point is a value of the polar form.
+"""Exact conversion of B-splines to Bezier curves, by polar forms.
 
 The polar form of a piece of degree p is symmetric in p arguments, affine in each, and equals the
-curve where all are equal. The Bezier points from u to v are its values at (u, ..., u, v, ..., v),
-by de Boor's recursion (L. Ramshaw, Computer Aided Geometric Design 6, 1989).
+curve if all are equal. Its values at (u, ..., u, v, ..., v) are the Bezier control points of the
+piece from u to v (L. Ramshaw, Computer Aided Geometric Design 6, 1989).
 """
 
 from __future__ import annotations
@@ -20,13 +20,13 @@ from exactsweep.formats.error import FormatError
 from exactsweep.numbers.number import Point
 
 MAX_DEGREE = 11
-"""The highest degree in CAD programs."""
+"""Maximum degree; CAD programs use no higher one."""
 
 _Lifted = tuple[Fraction, ...]
 
 
 class Spline(NamedTuple):
-    """A B-spline: degree + 1 more knots than points, and positive weights or ()."""
+    """A B-spline: len(points) + degree + 1 knots, and positive weights or ()."""
 
     degree: int
     points: Sequence[Point]
@@ -35,11 +35,11 @@ class Spline(NamedTuple):
 
     @classmethod
     def through(cls, points: Sequence[Point]) -> Spline:
-        """Return the natural cubic spline through fit points, which CAD programs draw.
+        """Return the natural cubic spline through fit points, as CAD programs draw it.
 
-        Over the lengths of the chords, its second derivatives m are 0 at the ends, and
-        m[k-1] a + 2 m[k] (a + b) + m[k+1] b = 6 (d[k+1] - d[k]), with the lengths a and b before
-        and after point k, and the slopes d there.
+        Parametrized by chord length, its second derivatives m are 0 at the ends, and
+        m[k-1] a + 2 m[k] (a + b) + m[k+1] b = 6 (d[k+1] - d[k]), for the lengths a and b of the
+        chords before and after point k and the slopes d.
         """
         points = [p for p, _ in groupby(points)]
         if len(points) < 2:
@@ -64,7 +64,7 @@ class Spline(NamedTuple):
         return cls(3, controls, [ends[0], *(u for u in ends for _ in range(3)), ends[-1]])
 
     def require_sound(self) -> None:
-        """Reject an invalid degree, knots or weights."""
+        """Reject an invalid degree, and invalid knots or weights."""
         size = len(self.points)
         if not 1 <= self.degree <= MAX_DEGREE:
             raise FormatError(f"the degree is {self.degree}, not 1 to {MAX_DEGREE}")
@@ -80,7 +80,7 @@ class Spline(NamedTuple):
             raise FormatError("expected one positive weight for each control point")
 
     def pieces(self) -> Iterator[tuple[list[Point], list[Fraction]]]:
-        """Yield its Bezier curves: control points, and weights if it has any."""
+        """Yield the control points and weights of its Bezier curves."""
         weights = self.weights or [Fraction(1)] * len(self.points)
         lifted = [(x * w, y * w, w) for (x, y), w in zip(self.points, weights, strict=True)]
         for k in range(self.degree, len(self.points)):
@@ -94,8 +94,8 @@ class Spline(NamedTuple):
     def _bezier(self, lifted: Sequence[_Lifted], k: int) -> list[_Lifted]:
         """Return the polar form at (u, ..., u, v, ..., v) for the piece from u to v.
 
-        Replacing the knots before the piece by u, one after another, the last value of each row has
-        u that often and then the knots after the piece; with v, the first value.
+        First replace the knots before the piece by u, keeping the last value of each row; then
+        those after it by v, keeping the first values.
         """
         p, knots = self.degree, self.knots
         u, v = knots[k], knots[k + 1]
@@ -115,7 +115,7 @@ class Spline(NamedTuple):
         return found
 
     def draw(self, image: Affine) -> Path:
-        """Return the path of its image."""
+        """Return the image as a path."""
         found = Path()
         for points, weights in self.pieces():
             mapped = place_points(points, image)
@@ -129,7 +129,7 @@ class Spline(NamedTuple):
         if image.off:
             found.off = image.error(self.points)
         if self.degree > 1:
-            # Joints of pieces, and the start of a closed spline, may be rounded like other points.
+            # Joints of pieces, and the start of a closed spline, may be rounded.
             found.soft = {*range(0 if found.is_closed else 1, len(found.points) - 1)}
             if found.is_closed:
                 found.soft.add(len(found.points) - 1)
@@ -137,7 +137,7 @@ class Spline(NamedTuple):
 
 
 def _solve(values: Sequence[float], lengths: Sequence[float]) -> list[float]:
-    """Find the second derivatives of the natural cubic spline by elimination."""
+    """Solve the tridiagonal system of the natural cubic spline by elimination."""
     slopes = [(q - p) / h for (p, q), h in zip(pairwise(values), lengths, strict=True)]
     rows = [(0.0, 0.0)]
     for (a, b), (d, e) in zip(pairwise(lengths), pairwise(slopes), strict=True):

@@ -1,4 +1,4 @@
-"""Reader of SVG (SVG 1.1): drawn shapes, and open lines that form outlines together."""
+"""Reader of SVG 1.1: shapes, and open lines joined to outlines."""
 
 from __future__ import annotations
 
@@ -42,19 +42,19 @@ _TOO_FEW = "fewer than three vertices"
 _UNPAINTED = ("none", "transparent")
 
 MAX_DEPTH = 32
-"""The greatest depth of nested uses."""
+"""Maximum depth of nested uses."""
 
 
 def parse_svg(text: str, reading: Reading) -> list[Candidate]:
-    """Find the outlines of an SVG document, each named by its id, in order.
+    """Find the outlines of an SVG document, named by their ids, in order.
 
-    Coordinates are user units unless a unit is wanted, with Y downward.
+    Coordinates are user units unless a unit is requested; Y points down.
 
     Raises:
-        FormatError: not XML or not SVG, entities, too deep nesting, no unit where one is wanted, or
-            limits exceeded.
+        FormatError: not XML or not SVG, invalid entities, too deep nesting, a requested unit is
+            unknown, or a limit exceeded.
 
-    Cost: linear in the length of the text and in the drawn copies; that of
+    Cost: linear in the length of the text and in the number of drawn elements, plus
         `exactsweep.formats.filling.fill` for paths with several subpaths.
 
     Example:
@@ -66,7 +66,7 @@ def parse_svg(text: str, reading: Reading) -> list[Candidate]:
 
 
 def read_svg(root: Element, reading: Reading, style: Style | None = None) -> list[Candidate]:
-    """Find the outlines of a document of `parse_xml`, or of a part with the style of all."""
+    """Find the outlines of an element from `parse_xml`; `style` is that of its document."""
     if name_kind(root) != "svg":
         raise FormatError(f"line {line(root)}: the root is {quote(root.tag)}, not svg")
     document = Document(root, reading)
@@ -76,7 +76,7 @@ def read_svg(root: Element, reading: Reading, style: Style | None = None) -> lis
         only = "only names, classes and ids are read"
         reading.notes[f"{number} of style sheets ignored, first {first}: {only}"] = None
     placed = PlacedElement(root, None, reading, style=style)
-    # A missing unit concerns the whole file.
+    # A missing unit is an error of the whole file.
     _ = placed.unit if reading.unit is None else placed.matrix
     try:
         return gather(allow_faults(_draw(document.shapes(placed, 0), reading)), reading)
@@ -87,20 +87,20 @@ def read_svg(root: Element, reading: Reading, style: Style | None = None) -> lis
 def _draw(shapes: Iterator[PlacedElement], reading: Reading) -> Iterator[Candidate | OpenLine]:
     for shape in shapes:
         parts = _read(shape, reading)
-        # Too many vertices concern the whole file.
+        # Too many vertices are an error of the whole file.
         reading.allow_vertices(0)
         yield from parts
 
 
 class Document:
-    """The elements of a document, being drawn."""
+    """The elements of a document."""
 
     def __init__(self, root: Element, reading: Reading) -> None:
         self.reading = reading
         elements = list(root.iter())
         self.by_id = {e.attrib["id"]: e for e in reversed(elements) if "id" in e.attrib}
         linked = {find_link(e).removeprefix("#") for e in elements}
-        # Definitions that nothing draws.
+        # Unused definitions.
         self.spare = {
             child
             for defs in elements
@@ -111,7 +111,7 @@ class Document:
         }
 
     def shapes(self, placed: PlacedElement, depth: int) -> Iterator[PlacedElement]:
-        """Find the shapes inside an element; errors of a `use` are reported at its shapes."""
+        """Yield the visible shapes inside an element."""
         for child in placed.element:
             yield from self._drawn(PlacedElement(child, placed, self.reading), depth)
 
@@ -147,7 +147,7 @@ class Document:
         link = find_link(placed.element)
         target = self.by_id.get(link.removeprefix("#")) if link.startswith("#") else None
         if target is None or depth > MAX_DEPTH:
-            # The reader of shapes reports the missing target.
+            # `_refuse_shape` reports the missing target.
             yield placed
             return
         drawn = PlacedElement(target, placed, self.reading, used=placed)
@@ -158,7 +158,7 @@ class Document:
 
 
 def find_reason_hidden(placed: PlacedElement) -> str:
-    """Return why an element is hidden, as counted by `Reading.hides`; "" if it is visible."""
+    """Return why an element is hidden, for `Reading.hides`; "" if it is visible."""
     name = name_kind(placed.element)
     if name in SHAPES and placed.inherited("visibility", "visible") in _INVISIBLE:
         return f"{name} that is not visible"
@@ -182,7 +182,7 @@ def _read(shape: PlacedElement, reading: Reading) -> list[Candidate | OpenLine]:
                 raise OrnamentError("a stroke of no length; only round caps draw a disc")
         closed = [path for path in found if len(path.points) > 1 and path.is_closed]
         opened = [path for path in found if not path.is_closed]
-        # Filling closes a path, but the ends of a single one may meet others.
+        # Filling closes open paths, but the ends of a single one may meet other lines.
         if len(found) > 1 and is_filled(shape):
             closed += [path.closed() for path in opened if len(path.points) > 2 or path.curves]
             opened = [path for path in opened if len(path.points) == 2 and not path.curves]
@@ -190,7 +190,7 @@ def _read(shape: PlacedElement, reading: Reading) -> list[Candidate | OpenLine]:
         if len(closed) > 1 and is_filled(shape):
             drawn += _draw_regions(closed, whole._replace(rule=shape.rule), reading)
         else:
-            # Lines alone have no fill: each is an outline, and those inside others are holes.
+            # Unfilled paths are outlines, and those inside others are holes.
             outline = whole._replace(rule=shape.rule)
             lines = [draw_outline(path, outline, reading) for path in closed]
             drawn += lines if reading.apart or len(lines) < 2 else nest_lines(lines)
@@ -205,14 +205,14 @@ def _read(shape: PlacedElement, reading: Reading) -> list[Candidate | OpenLine]:
 
 
 def is_filled(shape: PlacedElement) -> bool:
-    """Decide whether a shape is filled."""
+    """Whether a shape is filled."""
     return shape.inherited("fill", "black") not in _UNPAINTED
 
 
 def _draw_regions(
     closed: Sequence[Path], shape: Candidate, reading: Reading
 ) -> Sequence[Candidate]:
-    """Read the regions that closed paths draw together, by the fill rule."""
+    """Find the regions that closed paths fill by the fill rule."""
     rule = shape.rule or "nonzero"
     whole = shape._replace(error=max(path.find_error(reading) for path in closed))
 
@@ -242,7 +242,7 @@ def _draw_finer(
 
 
 def _name(shape: PlacedElement) -> str | None:
-    """Return the id of the outermost `use` that draws a shape, or its own."""
+    """Return the id of the outermost `use` that draws a shape, else its own id."""
     name = shape.element.get("id")
     placed: PlacedElement | None = shape
     while placed is not None:
@@ -287,7 +287,7 @@ def _require_room(width: Fraction, height: Fraction) -> None:
 
 
 def _read_radii(shape: PlacedElement) -> tuple[Fraction, Fraction]:
-    """Read both radii; a missing or auto one equals the other."""
+    """Read both radii; a missing or "auto" radius equals the other."""
     auto = {None, "auto"}
     found = [
         None if shape.element.get(name, shape.styled.get(name)) in auto else shape.size(name)

@@ -1,4 +1,4 @@
-"""Path data of SVG (SVG 1.1, 8.3)."""
+"""Path data (SVG 1.1, 8.3)."""
 
 import re
 from collections.abc import Sequence
@@ -29,7 +29,7 @@ _ARC = _NUMBER * 3 + r"[\s,]*+([01])" * 2 + _NUMBER * 2
 _RUN = re.compile(
     rf"(?P<letter>[A-Za-z])(?P<numbers>(?<=[Aa])(?:{_ARC})*+|(?<![Aa])(?:{_NUMBER})*+)[\s,]*+"
 )
-# The numbers of each command.
+# How many numbers each command needs.
 _SIZES = {"M": 2, "L": 2, "H": 1, "V": 1, "C": 6, "S": 4, "Q": 4, "T": 2, "A": 7, "Z": 0}
 _BEZIERS = "CSQT"
 # The height of an arc is rounded to a multiple of 1 / _HEIGHTS.
@@ -37,10 +37,10 @@ _HEIGHTS = 10**40
 
 
 def read_path(data: str, matrix: Affine, reading: Reading) -> list[Path]:
-    """Read path data as a Path for each subpath.
+    """Read path data; return a Path for each subpath.
 
     Raises:
-        FormatError: not path data, with the character; or too many vertices.
+        FormatError: a syntax error, with the character; or too many vertices.
     """
     drawn = Subpaths(matrix, reading)
     place = len(data) - len(data.lstrip(" \t\r\n\f,"))
@@ -56,7 +56,7 @@ def read_path(data: str, matrix: Affine, reading: Reading) -> list[Path]:
             _refuse("the path does not begin with M", place)
         count = count_decimals(numbers)
         reading.allow_vertices(count // size if size else 1)
-        # The flags of arcs may make one number.
+        # Flags of arcs may run together, so their count proves nothing.
         if (size and letter not in "Aa" and count % size) or bool(size) != bool(count):
             after = quote(data[place + 1 : place + 21]) if data[place + 1 :] else "the end"
             several = f"{size} numbers, or a multiple," if size else "no number"
@@ -81,17 +81,17 @@ def _refuse(reason: str, place: int) -> NoReturn:
 
 
 class Subpaths:
-    """Subpaths, to which commands of path data are added."""
+    """Subpaths, built command by command."""
 
     def __init__(self, matrix: Affine, reading: Reading) -> None:
         self.matrix, self.reading = matrix, reading
         self.current = self.start = ORIGIN
-        # The control point that a smooth curve mirrors, with the commands that may mirror it.
+        # The control point that a smooth curve reflects, and the commands that may do so.
         self.control: tuple[str, Point] = ("", ORIGIN)
         self.found: list[Path] = []
 
     def draw(self, letter: str, rows: Sequence[Sequence[Fraction]]) -> None:
-        """Draw a command with its rows of numbers; a small letter makes them relative."""
+        """Draw a command with rows of numbers, relative if the letter is lowercase."""
         kind, is_relative = letter.upper(), letter.islower()
         if kind not in _BEZIERS:
             self.control = ("", ORIGIN)
@@ -101,7 +101,7 @@ class Subpaths:
         if kind in "MZ":
             self.found.append(Path())
         elif not self.found[-1].points:
-            # After Z, the next subpath begins where the last one did.
+            # After Z, the next subpath begins at the start of the last one.
             self._add([self.current])
         if kind in "ML":
             ends = [*map(Point, *zip(*rows, strict=True))]
@@ -132,7 +132,7 @@ class Subpaths:
         angle = row[2] if rx != ry else Fraction(0)
         flags = bool(row[3]), bool(row[4])
         arc = make_elliptic_arc((before, end), (rx, ry), angle, flags, self.matrix)
-        # No point of the arc is farther from its ends than this.
+        # A bound on the distance of the arc from its ends.
         room = 2 * (rx + ry + abs(end.x - before.x) + abs(end.y - before.y))
         self._curve(arc, end, [Point(abs(x) + room, y) for x, y in (before, end)])
 
@@ -155,7 +155,7 @@ class Subpaths:
         self._let_off(ends)
 
     def _curve(self, drawn: tuple[Curve, bool], end: Point, around: list[Point]) -> None:
-        """Add a curve in the hull of some points."""
+        """Append a curve inside the hull of `around`."""
         curve, forward = drawn
         self.current = end
         (placed,) = place_points([end], self.matrix)
@@ -178,22 +178,22 @@ def make_elliptic_arc(
     flags: tuple[bool, bool],
     matrix: Affine,
 ) -> tuple[Arc, bool]:
-    """Make an elliptical arc (SVG 1.1, F.6); return whether it runs forward, too.
+    """Return an elliptical arc (SVG 1.1, F.6), and whether it runs from start to end.
 
-    Where the ellipse is a unit circle, the center is k half chords from the middle of the chord,
-    with rational k**2. An error d of k moves the arc by at most 2 d, because a ray from one end
-    meets both arcs at most 2 d apart. An irrational angle is replaced by one with rational sine and
-    cosine, so that rotating back and forth preserves the ends.
+    After scaling the ellipse to a unit circle, the center is k half chords from the midpoint of the
+    chord, with rational k**2. An error d of k moves the arc by at most 2 d, because a ray from one
+    end meets both arcs at most 2 d apart. An irrational angle is replaced by one with rational sine
+    and cosine, so that rotating back and forth preserves the ends.
 
     Args:
-        ends: the start of the arc and its end, another point.
-        radii: along the axes; both are enlarged where they are too short for the chord.
-        angle: from x to the first axis, in degrees.
-        flags: whether it is the longer one of the two arcs, and whether it runs from x to y.
+        ends: two distinct points.
+        radii: along the axes; both are scaled up if they are too short for the chord.
+        angle: from the X axis to the first axis, in degrees.
+        flags: SVG's large-arc and sweep flags.
         matrix: the map from the arc to the result.
     """
     (rx, ry), (large, left) = radii, flags
-    # The height is a root, so its error is the root of that of the angle.
+    # The height is a square root, so its error is the root of the angle's error.
     turn = make_rotation(angle, power=2)
     back = turn._replace(b=-turn.b, c=-turn.c)
     start, end = (Point(x / rx, y / ry) for x, y in (back.vector(*point) for point in ends))

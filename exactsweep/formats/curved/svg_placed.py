@@ -1,4 +1,4 @@
-"""SVG elements in place: transforms, viewports, units, layers and fill rules."""
+"""SVG elements with inherited transforms, viewports, units, layers and fill rules."""
 
 from __future__ import annotations
 
@@ -22,20 +22,17 @@ if TYPE_CHECKING:
 
 _INKSCAPE = "{http://www.inkscape.org/namespaces/inkscape}"
 _VIEWS = {"svg", "symbol"}
-# The properties by which a style moves an element, and the origin as the center of its motion.
+# Style properties that move an element, and the only supported transform origin.
 _STYLED = "transform", "rotate", "scale", "translate"
 _ORIGIN = re.compile(r"(?:\s*0(?:px)?\b){2,3}\s*")
 _BOXES = None, "view-box"
-# Pixels per unit of length; a percentage is resolved per attribute.
+# Pixels per unit; percentages are resolved for each attribute.
 _PX = {unit: UNITS[unit] / UNITS["px"] for unit in ("mm", "cm", "in", "pt", "pc", "px")}
 _PX |= {"": Fraction(1), "%": Fraction(1)}
 
 
 class PlacedElement:
-    """An element among its ancestors; its transformation is read on demand.
-
-    `used` is the `use` that draws a symbol or a nested svg, which has its size.
-    """
+    """An element with its ancestors; `used` is the `use` that draws it and sets its size."""
 
     def __init__(
         self,
@@ -51,15 +48,15 @@ class PlacedElement:
 
     @cached_property
     def styled(self) -> dict[str, str]:
-        """The properties that styles give it."""
+        """The properties set by styles."""
         return self._style.read(self.element) if self._style else {}
 
     def style(self, name: str) -> str | None:
-        """Return its own property or attribute; None if it has none."""
+        """Return its own property or attribute, or None."""
         return self.styled.get(name, self.element.get(name))
 
     def inherited(self, name: str, initial: str) -> str:
-        """Return an inherited property; cached for all ancestors."""
+        """Return an inherited property, caching it for all ancestors."""
         asked: list[PlacedElement] = []
         placed: PlacedElement | None = self
         while placed is not None and name not in placed._inherited:
@@ -79,7 +76,7 @@ class PlacedElement:
 
     @property
     def transform(self) -> str:
-        """The attribute of that name; raises FormatError if a style moves the element, too."""
+        """The attribute; raises FormatError if a style also moves the element."""
         found: str = self.element.get("transform", "")
         if any(map(self.styled.get, _STYLED)):
             raise FormatError("transformations in a style are not supported")
@@ -90,7 +87,7 @@ class PlacedElement:
 
     @cached_property
     def matrix(self) -> Affine:
-        """The map from the element's coordinates to those of the drawing."""
+        """The map from element coordinates to drawing coordinates."""
         outer = IDENTITY if self.parent is None else self.parent.matrix
         with name_refusals(self.place, FormatError):
             product = compose(outer, read_transform(self.transform))
@@ -102,7 +99,7 @@ class PlacedElement:
 
     @cached_property
     def layer(self) -> str | None:
-        """The innermost layer of Inkscape around it."""
+        """The innermost Inkscape layer around the element."""
         attributes = self.element.attrib
         if attributes.get(f"{_INKSCAPE}groupmode") == "layer":
             return attributes.get(f"{_INKSCAPE}label", attributes.get("id"))
@@ -110,29 +107,29 @@ class PlacedElement:
 
     @cached_property
     def groups(self) -> tuple[str, ...]:
-        """The ids of the groups around it, outermost first, and its own if it is one."""
+        """The ids of the groups that contain the element, outermost first."""
         around = self.parent.groups if self.parent else ()
         own = self.element.get("id") if name_kind(self.element) == "g" else None
         return (*around, own) if own else around
 
     @property
     def rule(self) -> Rule:
-        """The inherited fill rule; nonzero for an unknown one, as in browsers."""
+        """The inherited fill rule; unknown ones are nonzero, as in browsers."""
         return "evenodd" if self.inherited("fill-rule", "nonzero") == "evenodd" else "nonzero"
 
     def length(self, name: str, default: str | None = "0") -> Fraction:
-        """Return an attribute in user units, at 96 px to the inch."""
+        """Return a length attribute in user units, at 96 px per inch."""
         text = self.element.get(name, default)
         if text is None:
             raise FormatError(f"{name} is missing")
         if self.parent and self.styled.get(name):
-            raise FormatError(f"{name} is in a style, which is not supported there")
+            raise FormatError(f"{name} in a style is not supported")
         number, unit = _split(text.strip())
         with name_refusals(name, FormatError):
             return read_decimal(number) * (self._whole(name) / 100 if unit == "%" else _PX[unit])
 
     def _whole(self, name: str) -> Fraction:
-        """Return the length to which a percentage refers: a side of the viewport."""
+        """Return the side of the viewport to which a percentage refers."""
         width, height = self.parent.viewport if self.parent else (None, None)
         across = name in ("x", "x1", "x2", "cx", "rx", "width")
         found = width if across or width == height else None if name == "r" else height
@@ -142,7 +139,7 @@ class PlacedElement:
 
     @cached_property
     def viewport(self) -> tuple[Fraction | None, Fraction | None]:
-        """The width and the height of the viewport, None if unknown."""
+        """The width and the height of the viewport, each None if unknown."""
         if name_kind(self.element) not in _VIEWS:
             return self.parent.viewport if self.parent else (None, None)
         if "viewBox" in self.element.attrib:
@@ -156,7 +153,7 @@ class PlacedElement:
             return None
 
     def size(self, name: str, default: str | None = None) -> Fraction:
-        """Return a length that is not negative."""
+        """Return a length attribute, and reject negative ones."""
         found = self.length(name, default)
         if found < 0:
             raise FormatError(f"{name} is negative")
@@ -164,7 +161,7 @@ class PlacedElement:
 
     @cached_property
     def unit(self) -> Fraction:
-        """The factor for the numbers of the document, from its root."""
+        """The scale factor of the document, from its root element."""
         attributes = self.element.attrib
         unit = None
         text = attributes.get("width", "").strip()
@@ -185,7 +182,7 @@ class PlacedElement:
         return box
 
     def _view(self) -> Affine:
-        """Compute the map from the inside of a nested svg or a symbol to the outside."""
+        """Return the map from the inside of a nested svg or a symbol to the outside."""
         attributes = self.element.attrib
         x, y = (self.length(axis) if name_kind(self.element) == "svg" else 0 for axis in "xy")
         at = make_shift(x, y)
@@ -206,7 +203,7 @@ class PlacedElement:
         return at @ make_shift(*rests) @ make_scaling(*fitted) @ make_shift(-left, -top)
 
     def _fit(self, scales: list[Fraction]) -> tuple[list[Fraction], list[Fraction]]:
-        """Return both scales as drawn, and the share of unused room before each."""
+        """Return the scales by preserveAspectRatio, and the share of unused room before each."""
         ratio = self.element.get("preserveAspectRatio", "xMidYMid")
         fit, _, how = ratio.strip().partition(" ")
         if fit == "none":
@@ -217,7 +214,7 @@ class PlacedElement:
         return [scale, scale], [_SHARES[fit[1:4]], _SHARES[fit[5:]]]
 
     def _measure_unit(self) -> Fraction:
-        """Return the length in px of one unit of the root's view box."""
+        """Return the px per unit of the root's viewBox."""
         _, _, width, height = self._box()
         across = down = self.size("width") / width
         text = self.element.get("height", "%").strip()
@@ -229,12 +226,12 @@ class PlacedElement:
         return fitted[0]
 
     def _extent(self, name: str) -> Fraction:
-        """Return a size of a view: that of the `use` that draws it, its own, or 100%."""
+        """Return the size of a view from its `use`, its own attribute, or 100%."""
         used = self.used if self.used and name in self.used.element.attrib else self
         return used.size(name, "100%")
 
 
-# The share of the unused room before a view.
+# Alignment as the share of unused room before a view.
 _SHARES = {"Min": Fraction(0), "Mid": Fraction(1, 2), "Max": Fraction(1)}
 
 

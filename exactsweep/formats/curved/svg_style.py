@@ -1,4 +1,4 @@
-"""Style of SVG elements: attributes, `style`, and rules of style sheets."""
+"""Styles of SVG elements: `style` attributes and style sheets."""
 
 from __future__ import annotations
 
@@ -14,23 +14,23 @@ if TYPE_CHECKING:
 SPACE = "{http://www.w3.org/2000/svg}"
 """The namespace of SVG."""
 
-# A comment, or an at-rule such as @media with the rules in it; possessive throughout.
+# A comment, or an at-rule such as @media with its rules; possessive, to run in linear time.
 _PASSED = re.compile(
     r"/\*.*?(?:\*/|\Z)|<!--|-->|@[^{};]*+(?:;|\{(?:[^{}]*+\{[^{}]*+\})*+[^{}]*+\}|\{?)", re.DOTALL
 )
 _SIMPLE = re.compile(r"[.#]?[^\s.#:>+~\[\]*()]+|\*")
 _COMMENT = re.compile(r"/\*.*?(?:\*/|\Z)", re.DOTALL)
-# Properties that show, rotate or move a shape; and all that are read, with sizes and colors.
+# Properties that show or move a shape, and all properties that are read.
 _DRAWING = {"display", "visibility", "fill-rule", "transform", "transform-origin", "transform-box"}
 _DRAWING |= {"rotate", "scale", "translate"}
 _READ = {*_DRAWING, "fill", "stroke", "x", "y", "width", "height", "cx", "cy", "r", "rx", "ry"}
 
 _Declared = tuple[bool, int, str, str]
-"""A declaration: its importance, its number, its name, its value."""
+"""A declaration: importance, order, name and value."""
 
 
 class Style:
-    """Style sheets, with selectors by name, class or id; others are in `ignored`."""
+    """Style sheets with selectors by name, class or id; `ignored` lists other selectors."""
 
     def __init__(self, root: Element) -> None:
         self.ignored: list[str] = []
@@ -51,7 +51,7 @@ class Style:
                 self.ignored.append(selector)
 
     def read(self, element: Element) -> dict[str, str]:
-        """Return the properties that styles give an element, by the cascade of CSS."""
+        """Return the properties of an element by the CSS cascade."""
         attributes = element.attrib
         classes = (f".{one}" for one in attributes.get("class", "").split())
         if not self._rules and "style" not in attributes:
@@ -71,7 +71,7 @@ class Style:
 
 
 def _list_declared(text: str, numbers: Iterator[int]) -> Iterator[_Declared]:
-    """Yield the declarations of a rule or of a style attribute."""
+    """Yield the declarations in a rule or a style attribute."""
     for declaration in _COMMENT.sub("", text).split(";"):
         name, _, value = declaration.partition(":")
         value, important, _ = value.lower().partition("!important")
@@ -79,11 +79,11 @@ def _list_declared(text: str, numbers: Iterator[int]) -> Iterator[_Declared]:
 
 
 def name_kind(element: Element) -> str:
-    """Return the name of an element of SVG."""
+    """Return the SVG name of an element."""
     # The tag of a comment or processing instruction is a function.
     return element.tag.removeprefix(SPACE) if isinstance(element.tag, str) else ""
 
 
 def find_link(element: Element) -> str:
-    """Return the reference of an element, such as "#part"; "" for none."""
+    """Return the reference of an element, such as "#part", or ""."""
     return element.get("href", element.get("{http://www.w3.org/1999/xlink}href", ""))

@@ -15,12 +15,12 @@ from exactsweep.numbers.error import name_refusals
 
 
 def read_svg_path(text: str, reading: Reading, *, filled: bool = False) -> Polyline | None:
-    """Read an SVG document as a path if it draws only one, open and without a fill.
+    """Read an SVG document with a single path; return None for any other.
 
-    With `filled`, a filled or closed path counts, too.
+    The path must be open and unfilled, unless `filled` is set.
 
     Raises:
-        FormatError: as by `parse_svg`; or the path has curves.
+        FormatError: as for `parse_svg`; or the path has curves.
 
     Example:
         >>> text = '<svg xmlns="http://www.w3.org/2000/svg"><path d="M0 0h2v1" fill="none"/></svg>'

@@ -1,4 +1,4 @@
-"""Transformations of SVG (SVG 1.1, 7.6), exact where they are rational."""
+"""SVG transforms (SVG 1.1, 7.6), exact if rational."""
 
 import re
 from collections.abc import Callable, Sequence
@@ -11,7 +11,7 @@ from exactsweep.formats.error import FormatError
 from exactsweep.numbers.error import quote
 
 _FUNCTION = re.compile(r"[\s,]*([A-Za-z]+)\s*\(([^()]*)\)[\s,]*")
-# Products of long numbers get longer and longer.
+# Bounds the growth of products of many transforms.
 _MAX_BITS = 50_000
 
 
@@ -46,10 +46,10 @@ def read_transform(text: str) -> Affine:
 
 
 def compose(outer: Affine, inner: Affine) -> Affine:
-    """Return the map that does `inner` and then `outer`; reject too long numbers."""
+    """Return the map that applies `inner` and then `outer`; reject too long numbers."""
     product = outer @ inner
     if any(n.numerator.bit_length() + n.denominator.bit_length() > _MAX_BITS for n in product):
-        raise FormatError("the numbers of the product of transformations are too long")
+        raise FormatError("the product of the transformations has too long numbers")
     return product
 
 
@@ -63,14 +63,14 @@ def _rotate(numbers: Sequence[Fraction]) -> Affine:
 
 
 def _skew_x(numbers: Sequence[Fraction]) -> Affine:
-    """Return a map whose c is the tangent, within its `off`."""
+    """Return the map with the tangent, within `off`, as its coefficient c."""
     (angle,) = numbers
     if angle % 45 == 0 and angle % 180 != 90:
         return make_affine(1, 0, {0: 0, 45: 1, 135: -1}[int(angle % 180)], 1, 0, 0)
     turn = make_rotation(angle)
     if abs(turn.a) < Fraction(1, 10**6):
-        raise FormatError(f"a skew by {show_number(angle)} degrees")
-    # By the angle the tangent grows at 1 / cos**2.
+        raise FormatError(f"cannot skew by {show_number(angle)} degrees")
+    # The derivative of the tangent is 1 / cos**2.
     return make_affine(1, 0, turn.b / turn.a, 1, 0, 0)._replace(off=2 * turn.off / turn.a**2)
 
 

@@ -1,4 +1,4 @@
-"""Untrusted XML: short entities only, nothing fetched, bounded depth."""
+"""Parser for untrusted XML."""
 
 from __future__ import annotations
 
@@ -12,24 +12,22 @@ if TYPE_CHECKING:
     from xml.etree.ElementTree import Element
 
 MAX_DEPTH = 100
-"""The greatest depth of nested elements."""
+"""Maximum depth of nested elements."""
 
-# References to entities outside comments and similar sections.
+# References to entities, outside comments, CDATA and processing instructions.
 _REFERENCE = re.compile(
     r"<!--.*?(?:-->|\Z)|<!\[CDATA\[.*?(?:]]>|\Z)|<\?.*?(?:\?>|\Z)"
     r"|&(?!(?:lt|gt|amp|quot|apos);|#)(?P<entity>[^\s;&<]++);",
     re.DOTALL,
 )
-# Not a name in XML, so that it hides no attribute.
+# Not a valid XML name, so it cannot collide with an attribute.
 _LINE = "#line"
-# Maximum number of entities, and of the letters of one.
+# Maximum number of entities, and maximum length of each.
 _MAX_ENTITY = 200
 
 
 def parse_xml(text: str) -> Element:
-    """Parse an XML document; `line` returns the line of an element.
-
-    A document type may be declared, but it is not fetched.
+    """Parse an XML document, without fetching its document type.
 
     Raises:
         FormatError: not XML, an undeclared, long or nested entity, nesting deeper than MAX_DEPTH,
@@ -61,10 +59,10 @@ def parse_xml(text: str) -> Element:
 
     def declare(name: str, is_parameter: bool, value: str | None, *outside: object) -> None:
         declared[name] = size = len(value or "")
-        # Illustrator declares names of namespaces so.
+        # Illustrator declares namespaces as entities.
         if is_parameter or value is None or "&" in value or max(size, len(declared)) > _MAX_ENTITY:
             raise EntitiesForbidden(name, value, *outside)
-        require_size(text.count(f"&{name};") * size, f"the entity {name!a} draws ")
+        require_size(text.count(f"&{name};") * size, f"the entity {name!a} expands to ")
 
     parser = DefusedXMLParser(
         target=Builder(), forbid_dtd=False, forbid_entities=False, forbid_external=True
@@ -83,7 +81,7 @@ def parse_xml(text: str) -> Element:
         raise FormatError(f"declares the entity {error.name!a}, which is not allowed") from None
     except DefusedXmlException as error:
         raise FormatError(f"refers to an external resource: {error}") from None
-    # With an external document type, the parser skips references that it might declare.
+    # The parser skips references that an external document type might declare.
     for match in _REFERENCE.finditer(text):
         if match["entity"] not in {None, *declared}:
             number = text.count("\n", 0, match.start()) + 1
@@ -92,5 +90,5 @@ def parse_xml(text: str) -> Element:
 
 
 def line(element: Element) -> str:
-    """Return the line on which an element of `parse_xml` starts."""
+    """Return the line of an element from `parse_xml`."""
     return element.attrib[_LINE]

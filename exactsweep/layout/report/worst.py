@@ -45,7 +45,7 @@ class WorstFirst(NamedTuple):
         return root + fault.bound
 
     def is_rounding(self, judgement: Judgement) -> bool:
-        """Decide whether the fault is known to be tiny for the layout."""
+        """Decide whether the fault is known to be tiny compared with the layout."""
         low, high = judgement.box or (ORIGIN, ORIGIN)
         size = max(high.x - low.x, high.y - low.y)
         is_known = self.square is not None or len(self.fault.placements) > 1
