@@ -192,7 +192,7 @@ def test_a_written_chain_is_compared_with_mn(monkeypatch: pytest.MonkeyPatch) ->
     assert isinstance(evidence, Evidence)
     assert "80 instead of 80 at m = n = 8." in evidence.tried
     assert isinstance(found, Counterexample)
-    assert found.text == "the output has 160 vertices for m = 16 and n = 24, mn being 384"
+    assert found.text == "the output has 160 vertices for m = 16 and n = 24; mn is 384"
 
 
 def test_counts_are_compared_with_their_bounds() -> None:

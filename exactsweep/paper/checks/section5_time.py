@@ -177,7 +177,7 @@ def count_gaps(effort: Effort) -> Iterator[Observation]:
     yield from growth
     yield "" if _outgrows(again, gaps) else "calling Trajectory_MM again is about as fast"
     yield Counterexample(
-        f"the output has {last.count:,} vertices for m = {last.m} and n = {last.n}, mn being "
+        f"the output has {last.count:,} vertices for m = {last.m} and n = {last.n}; mn is "
         f"{last.m * last.n:,}",
         "a family built for this: see Lemma 5.5",
     )
