@@ -69,6 +69,8 @@ PAIRS = [
     *("jigsaw-triangles-slanted", "touching-edge", "vertical-wall-up-and-down"),
     # Products of coordinates overflow or underflow.
     *("sizes-binary64-overflow", "sizes-binary64-least"),
+    # Far from the origin, where doubles have no fractions.
+    "sizes-far-2-52",
 ]
 CRATES = Path("/usr/share/cargo/registry")
 """Where Debian puts crates."""

@@ -31,12 +31,15 @@ Shape scale(Shape shape, double k) {
   return shape;
 }
 
+Shape translate(Shape shape, double dx, double dy) {
+  for (Ring& ring : shape)
+    for (auto& [x, y] : ring) x += dx, y += dy;
+  return shape;
+}
+
 // The rings around the positions of the reference point at which g overlaps d.
 Shape no_fit(const Shape& d, const Shape& g, const Point& reference) {
-  Shape rings = minkowski_sum(d, scale(g, -1));
-  for (Ring& ring : rings)
-    for (auto& [x, y] : ring) x += reference.first, y += reference.second;
-  return rings;
+  return translate(minkowski_sum(d, scale(g, -1)), reference.first, reference.second);
 }
 
 // The greatest absolute value of a coordinate.
@@ -172,6 +175,11 @@ Shape minkowski_sum(Shape a, Shape b) {
     const double k = ldexp(1, largest > 1 ? -200 : 200);
     return scale(minkowski_sum(scale(a, k), scale(b, k)), 1 / k);
   }
+  const auto [x, y] = a[0][0];
+  const auto [u, v] = b[0][0];
+  if (x != 0 || y != 0 || u != 0 || v != 0)
+    // Coordinates near the origin have more digits.
+    return translate(minkowski_sum(translate(a, -x, -y), translate(b, -u, -v)), x + u, y + v);
   a = orient(a), b = orient(b);
   vector<Line> placed, lines;
   place_edges(a, b, placed);

@@ -9,8 +9,7 @@ const MOST = 2500; // Pairs of edges; the sum takes time proportional to their s
 
 // The rings around the positions of the reference point at which g overlaps d.
 function noFit(d, g, [x, y]) {
-  const rings = minkowskiSum(d, scale(g, -1));
-  return mapPoints(rings, ([u, v]) => [u + x, v + y]);
+  return translate(minkowskiSum(d, scale(g, -1)), x, y);
 }
 
 // The rings of a + b: edges of each at convex corners of the other, cut and filtered.
@@ -20,6 +19,11 @@ function minkowskiSum(a, b) {
     // Products would overflow or underflow; scaling by a power of two is exact.
     const k = size > 1 ? 2 ** -200 : 2 ** 200;
     return scale(minkowskiSum(scale(a, k), scale(b, k)), 1 / k);
+  }
+  const [[x, y], [u, v]] = [a[0][0], b[0][0]];
+  if (x || y || u || v) {
+    // Coordinates near the origin have more digits.
+    return translate(minkowskiSum(translate(a, -x, -y), translate(b, -u, -v)), x + u, y + v);
   }
   [a, b] = [orient(a), orient(b)];
   const placed = [...placeEdges(a, b), ...placeEdges(b, a)];
@@ -56,6 +60,7 @@ function minkowskiSum(a, b) {
 
 const mapPoints = (shape, change) => shape.map((ring) => ring.map(change));
 const scale = (shape, k) => mapPoints(shape, ([x, y]) => [k * x, k * y]);
+const translate = (shape, dx, dy) => mapPoints(shape, ([x, y]) => [x + dx, y + dy]);
 const between = (p, q, t) => [p[0] + t * (q[0] - p[0]), p[1] + t * (q[1] - p[1])];
 const sides = (ring) => ring.map((p, k) => [ring.at(k - 1), p]);
 

@@ -30,13 +30,12 @@ ComplexRings = list[list[complex]]
 
 def no_fit(d: Contours, g: Contours, reference: tuple[float, float]) -> Contours:
     """Return the rings around the positions of the reference point at which g overlaps d."""
-    rings = minkowski_sum(d, scale(g, -1))
-    return [[(x + reference[0], y + reference[1]) for x, y in ring] for ring in rings]
+    return scale(minkowski_sum(d, scale(g, -1)), 1, *reference)
 
 
-def scale(shape: Contours, k: float) -> Contours:
-    """Multiply all coordinates."""
-    return [[(k * x, k * y) for x, y in ring] for ring in shape]
+def scale(shape: Contours, k: float, x: float = 0, y: float = 0) -> Contours:
+    """Scale a shape by k, and translate it by (x, y)."""
+    return [[(k * u + x, k * v + y) for u, v in ring] for ring in shape]
 
 
 def minkowski_sum(a: Contours, b: Contours) -> Contours:
@@ -46,6 +45,10 @@ def minkowski_sum(a: Contours, b: Contours) -> Contours:
         # Products would overflow or underflow; scaling by a power of two is exact.
         k = 2.0**-200 if size > 1 else 2.0**200
         return scale(minkowski_sum(scale(a, k), scale(b, k)), 1 / k)
+    (x, y), (u, v) = a[0][0], b[0][0]
+    if abs(x) + abs(y) + abs(u) + abs(v) > 0:
+        # Coordinates near the origin have more digits.
+        return scale(minkowski_sum(scale(a, 1, -x, -y), scale(b, 1, -u, -v)), 1, x + u, y + v)
     first, second = orient(a), orient(b)
     lines = [*place_edges(first, second), *place_edges(second, first)]
     near = 1e-13 * max(abs(p) for line in lines for p in line)
@@ -123,14 +126,13 @@ def is_inside(p: complex, a: ComplexRings, b: ComplexRings) -> bool:
     """Decide whether a point is inside a + b: whether a meets the point minus b."""
     c = [[p - q for q in ring] for ring in b]
     others = list_edges(c)
-    for q, r in list_edges(a):
-        for s, t in others:
-            if (
-                cross(r - q, s - q) * cross(r - q, t - q) < 0
-                and cross(t - s, q - s) * cross(t - s, r - s) < 0
-            ):
-                return True
-    return holds(a, c[0][0]) or holds(c, a[0][0])
+    crossings = (
+        cross(r - q, s - q) * cross(r - q, t - q) < 0
+        and cross(t - s, q - s) * cross(t - s, r - s) < 0
+        for q, r in list_edges(a)
+        for s, t in others
+    )
+    return any(crossings) or holds(a, c[0][0]) or holds(c, a[0][0])
 
 
 def holds(shape: ComplexRings, p: complex) -> bool:

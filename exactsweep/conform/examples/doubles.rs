@@ -18,8 +18,7 @@ const MOST: usize = 2500;
 
 /// The rings around the positions of the reference point at which g overlaps d.
 fn no_fit(d: &Shape, g: &Shape, reference: Point) -> Shape {
-    let rings = minkowski_sum(d, &scale(g, -1.0));
-    map(&rings, |(x, y)| (x + reference.0, y + reference.1))
+    translate(&minkowski_sum(d, &scale(g, -1.0)), reference)
 }
 
 /// The rings of a + b: edges of each at convex corners of the other, cut and filtered.
@@ -30,6 +29,12 @@ fn minkowski_sum(a: &Shape, b: &Shape) -> Shape {
         // Products would overflow or underflow; scaling by a power of two is exact.
         let k = 2f64.powi(if largest > 1.0 { -200 } else { 200 });
         return scale(&minkowski_sum(&scale(a, k), &scale(b, k)), 1.0 / k);
+    }
+    let ((x, y), (u, v)) = (a[0][0], b[0][0]);
+    if [x, y, u, v] != [0.0; 4] {
+        // Coordinates near the origin have more digits.
+        let rings = minkowski_sum(&translate(a, (-x, -y)), &translate(b, (-u, -v)));
+        return translate(&rings, (x + u, y + v));
     }
     let (a, b) = (&orient(a), &orient(b));
     let placed = [place_edges(a, b), place_edges(b, a)].concat();
@@ -80,6 +85,10 @@ fn map(shape: &Shape, change: impl Fn(Point) -> Point) -> Shape {
 
 fn scale(shape: &Shape, k: f64) -> Shape {
     map(shape, |(x, y)| (k * x, k * y))
+}
+
+fn translate(shape: &Shape, by: Point) -> Shape {
+    map(shape, |(x, y)| (x + by.0, y + by.1))
 }
 
 fn between(p: Point, q: Point, t: f64) -> Point {

@@ -43,10 +43,7 @@ if __name__ == "__main__":
         case = json.loads(line)
         if "bye" in case:
             break
-        d, g = (
-            Region(case[name], case.get(f"{name}_holes", []))
-            for name in ("directrix", "generatrix")
-        )
+        d, g = (Region(case[k], case.get(f"{k}_holes", [])) for k in ("directrix", "generatrix"))
         answers: dict[str, Any] = {"id": case["id"]}
         for part in case["ask"]:
             answers |= answer(part, d, g, case["reference"])

@@ -14,7 +14,7 @@ from exactsweep.conform.run.tally import Tally, fails
 from exactsweep.text.report import approximate, lay_out, make_table, take_root
 from exactsweep.words import count
 
-_MOST_LISTED = 20
+_LISTED = 20
 
 
 def describe(comparison: Comparison) -> str:
@@ -92,15 +92,13 @@ def close(run: Run) -> str:
     diagnosis = run.summary.diagnosis()
     lines = [] if diagnosis is None else [diagnosis]
     faults = run.list_faults()
-    for fault in faults[:_MOST_LISTED]:
+    for fault in faults[:_LISTED]:
         smallest = fault.kept[0]
         likewise = f"  (and {fault.count - 1} more like it)" if fault.count > 1 else ""
         lines.append(f"{smallest.verdict}  {cut(smallest.id)}  {smallest.reason}{likewise}")
-    if len(faults) > _MOST_LISTED:
-        rest = sum(fault.count for fault in faults[_MOST_LISTED:])
-        lines.append(
-            f"... and {count(rest, 'failure')} of {len(faults) - _MOST_LISTED} other kinds"
-        )
+    if len(faults) > _LISTED:
+        rest = sum(fault.count for fault in faults[_LISTED:])
+        lines.append(f"... and {count(rest, 'failure')} of {len(faults) - _LISTED} other kinds")
     granted, where = run.summary.granted
     if granted:
         most = approximate(granted)
