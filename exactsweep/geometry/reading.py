@@ -7,13 +7,14 @@ from __future__ import annotations
 
 import sys
 from collections.abc import Iterable, Mapping, Sequence
+from contextlib import suppress
 from itertools import chain
 from math import gcd, lcm
 from typing import Any, cast
 from warnings import warn
 
 from exactsweep.geometry.canonical import PolygonError
-from exactsweep.numbers.error import name_refusals, quote
+from exactsweep.numbers.error import NumberError, name_refusals, quote
 from exactsweep.numbers.number import Point, Vertex, to_fraction
 
 _LATTICE_BITS = 8192
@@ -126,8 +127,12 @@ def read_vertices(vertices: Iterable[Iterable[object]]) -> Lattice:
     except TypeError:
         raise PolygonError(f"{type(vertices).__name__} is not a sequence of vertices") from None
     rows = list(pairs)
-    if all(type(row) in (tuple, list) and [*map(type, row)] == [int, int] for row in rows):
-        return 1, cast(Sequence[Vertex], [*map(tuple, rows)])
+    if all(type(row) in (tuple, list) and len(row) == 2 for row in rows):  # type: ignore[arg-type]
+        if all(type(x) is int and type(y) is int for x, y in rows):
+            return 1, cast(Sequence[Vertex], [*map(tuple, rows)])
+        # Errors name the vertex below.
+        with suppress(NumberError):
+            return to_lattice([Point(to_fraction(x), to_fraction(y)) for x, y in rows])
     points = [read_point(pair, f"vertex {i}") for i, pair in enumerate(rows)]
     return to_lattice(points)
 
