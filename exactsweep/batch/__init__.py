@@ -1,4 +1,4 @@
-"""Batches of very many pairs, on all processors or a Dask cluster; interrupted ones resume."""
+"""Resumable batches of pairs, on all processors or a Dask cluster."""
 
 from exactsweep.batch.error import BatchError
 from exactsweep.batch.job import Job, take_all_pairs, take_listed_pairs

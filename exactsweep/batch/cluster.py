@@ -24,12 +24,12 @@ _LOOK = 0.5
 
 
 class Cluster:
-    """The workers of a Dask scheduler, each of which gets the work once, new ones included.
+    """The workers of a Dask scheduler; Dask repeats the chunks of lost workers.
 
-    Dask repeats the chunks of lost workers. `count` is the number of processes of a LOCAL cluster.
+    `count` is the number of processes of a LOCAL cluster.
 
     Raises:
-        BatchError: no scheduler answers there.
+        BatchError: no scheduler answers.
     """
 
     def __init__(self, work: Work, address: str, count: int) -> None:
@@ -40,7 +40,7 @@ class Cluster:
         self.own = None
         try:
             if address == LOCAL:
-                # It serves its state by HTTP nevertheless: on any free port.
+                # Even without a dashboard it serves HTTP, here on any free port.
                 self.own = dask.LocalCluster(
                     n_workers=count,
                     threads_per_worker=1,
@@ -51,7 +51,7 @@ class Cluster:
             self.count = max(1, sum(self.client.nthreads().values()))
             self.name = f"exactsweep-{id(self):x}"
             self.client.register_plugin(_holder(work, self.name))
-        # Dask asserts some of its assumptions.
+        # Dask raises AssertionError for some addresses.
         except (OSError, ValueError, AssertionError) as error:
             reason = str(error).partition("\n")[0]
             raise BatchError(f"no Dask scheduler at {quote(address)}: {reason}") from None
@@ -59,18 +59,18 @@ class Cluster:
         self.pool = self.client.get_executor(pure=False)
 
     def submit(self, chunk: Chunk) -> RecordsOfCluster:
-        """Compute a chunk in some process; raises CancelledError if the scheduler is lost."""
+        """Compute a chunk on a worker; raises CancelledError if the scheduler is lost."""
         try:
             return RecordsOfCluster(self.pool.submit(_compute, chunk, self.name), self)
         except self.closed:
             raise CancelledError from None
 
     def is_gone(self) -> bool:
-        """Whether the scheduler is lost, or has forgotten the batch."""
+        """Return whether the connection to the scheduler was lost."""
         return self.client.status != "running" or self.client.scheduler_comm is not self.connection
 
     def close(self) -> None:
-        """Leave the cluster, and end our own."""
+        """Disconnect, and shut down a local cluster."""
         # A lost scheduler leaves nothing to clean up.
         with suppress(OSError, self.closed):
             self.pool.shutdown(wait=False)
@@ -82,21 +82,21 @@ class Cluster:
 
 
 def _require_address(address: str) -> None:
-    """Reject what cannot be a host, optionally with a port."""
+    """Reject an address that is not a host with an optional port."""
     match = _ADDRESS.fullmatch(address)
     if not match or match["host"].isdigit() or not 0 < int(match["port"] or 1) < 2**16:
         raise BatchError(f"no Dask scheduler at {quote(address)}: not as in tcp://host:8786")
 
 
 class RecordsOfCluster:
-    """A future for the records of one chunk."""
+    """A future with the records of a chunk."""
 
     def __init__(self, future: Future[Sequence[bytes]], cluster: Cluster) -> None:
         self.future, self.cluster = future, cluster
 
     def result(self) -> Sequence[bytes]:
         """Wait for the records; raises CancelledError if the scheduler is lost."""
-        # Dask never settles futures of results that it was fetching from a lost scheduler.
+        # Dask never settles a future whose result was in transfer from a lost scheduler.
         while not wait([self.future], _LOOK).done:
             if self.cluster.is_gone():
                 raise CancelledError
@@ -110,7 +110,7 @@ def _dask() -> Any:
 
 
 def _holder(held: Work, plugin_name: str) -> object:
-    # A local class is sent whole.
+    # Local classes are pickled by value.
     class Holder(_dask().WorkerPlugin):  # type: ignore[misc]
         name = plugin_name
         work = held

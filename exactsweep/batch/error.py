@@ -1,4 +1,4 @@
-"""The error of a whole batch."""
+"""Errors of batches."""
 
 from exactsweep.numbers.error import ExactSweepError
 

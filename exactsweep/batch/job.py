@@ -25,14 +25,14 @@ from exactsweep.numbers.limits import get_max_bytes
 CHUNK_PAIRS = 16
 """The number of pairs in a chunk of a small batch."""
 
-# Maximum number of chunks, which one process distributes.
+# Maximum number of chunks, since one process distributes them.
 _CHUNKS = 2**14
 _MAX_CHUNK_PAIRS = 512
 _CHUNK_BYTES = 2**20
 
 
 class Job(NamedTuple):
-    """A batch: the work, the number of pairs, a digest of the input, the file of pairs."""
+    """A batch: the work, the number of pairs, a digest of the input, and the file of pairs."""
 
     work: Work
     total: int
@@ -40,7 +40,7 @@ class Job(NamedTuple):
     path: str | None
 
     def chunks(self, start: int) -> Iterator[Chunk]:
-        """Yield the pairs in order, from a given one on."""
+        """Yield the pairs in order, beginning with index `start`."""
         most = min(max(CHUNK_PAIRS, self.total // _CHUNKS), _MAX_CHUNK_PAIRS)
         numbers = range(start, self.total)
         pairs: Iterable[int | bytes] = numbers
@@ -65,14 +65,13 @@ def take_all_pairs(
     what: str = "loops",
     rounding: Rounding | None = None,
 ) -> Job:
-    """Make a batch of all pairs of two part lists, the generatrix changing most slowly.
+    """Make a batch of all pairs from two part lists, with the generatrix in the outer loop.
 
     Args:
-        generatrices: NamedPolygons, as `read_polygons` returns them, or Parts; repeated names get a
-            number.
-        directrices: likewise.
+        generatrices: NamedPolygons, as from `read_polygons`, or Parts; repeated names get a number.
+        directrices: as `generatrices`.
         what: "trajectory", "loops", "areas" or "nfp".
-        rounding: how to round numbers, to decimals instead of strings; None to leave them.
+        rounding: writes rounded decimals instead of exact strings; None for no rounding.
 
     Raises:
         BatchError: unknown quantities.
@@ -101,14 +100,14 @@ def take_listed_pairs(
 
     Args:
         path: a file of objects with "generatrix" and "directrix", each the name of a part, or a
-            polygon as exact JSON or GeoJSON; and optionally "id", "reference", and "direction", not
-            for "nfp".
-        parts: the parts that the lines may name.
+            polygon as exact JSON or GeoJSON; optionally with "id", "reference", and (except for
+            "nfp") "direction".
+        parts: the parts that lines may name.
         what: as for `take_all_pairs`.
         rounding: as for `take_all_pairs`.
 
     Raises:
-        BatchError: an unreadable file, two parts with one name, or unknown quantities.
+        BatchError: an unreadable file, two parts with the same name, or unknown quantities.
     """
     listed = _parts(parts)
     for name, count in Counter(part.name for part in listed).items():
@@ -158,7 +157,7 @@ def _digest_input(work: Work, source: bytes) -> str:
 
 
 def _lines(path: str) -> Iterator[bytes]:
-    """Yield the nonempty lines of a file; b"" stands for a line that is too long."""
+    """Yield the nonblank lines of a file; b"" replaces a line that is too long."""
     with name_failures(path, BatchError):
         file = Path(path)
         if file.exists() and not file.is_file() and not file.is_dir():

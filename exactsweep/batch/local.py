@@ -1,4 +1,4 @@
-"""Processes of this machine."""
+"""Local worker processes."""
 
 from __future__ import annotations
 
@@ -14,24 +14,24 @@ from exactsweep.processes import Pool, count_cores
 
 
 class LocalProcesses:
-    """A pool of processes, each of which gets the work once.
+    """A pool of processes.
 
     Attributes:
         count: the number of processes.
-        lost: the exception of a chunk whose process was killed.
+        lost: the exceptions for chunks of killed processes.
     """
 
     lost: tuple[type[BaseException], ...] = (BrokenProcessPool,)
 
     def __init__(self, work: Work, count: int | None = None) -> None:
         self.count = count or count_cores()
-        # A worker may need the module that was run for classes of the caller's own.
+        # Workers need the main module only if it defines classes used in the work.
         self._around = nullcontext if b"__main__" in pickle.dumps(work) else _hide_main
         with self._around():
             self._pool = Pool(self.count, _hold, work, forks=True)
 
     def submit(self, chunk: Chunk) -> Future[Sequence[bytes]]:
-        """Compute a chunk in some process."""
+        """Compute a chunk in a worker process."""
         with self._around():
             try:
                 return self._pool.submit(_compute, chunk)
@@ -40,13 +40,13 @@ class LocalProcesses:
                 return self._pool.submit(_compute, chunk)
 
     def close(self) -> None:
-        """End all processes, even busy ones."""
+        """Terminate all processes, even busy ones."""
         self._pool.close()
 
 
 @contextmanager
 def _hide_main() -> Iterator[None]:
-    """Keep new processes from importing the main module, which may have no main guard."""
+    """Keep new processes from importing the main module, which may lack a main guard."""
     main = vars(sys.modules["__main__"])
     hidden: dict[str, object] = {
         name: main.pop(name) for name in ("__spec__", "__file__") if name in main

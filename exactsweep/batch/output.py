@@ -1,7 +1,7 @@
-"""The output file of a batch, which can be continued after any interruption.
+"""The resumable output file of a batch.
 
-Records go to FILE.part in order; after the last one, FILE.part becomes FILE in one step. FILE.job
-identifies the batch of the records, and is locked while the batch runs.
+Records go to FILE.part in order; when complete, it is renamed to FILE. FILE.job identifies the
+batch, and is locked while the batch runs.
 """
 
 from __future__ import annotations
@@ -29,13 +29,13 @@ CSV = ".csv"
 
 
 class Output:
-    """The records of a batch, including those of an earlier run unless it restarts.
+    """The records of a batch; those of an earlier run are kept unless `restart`.
 
     Attributes:
         done, refused: the numbers of records and of error records.
 
     Raises:
-        BatchError: another batch left records for the same file, or is running.
+        BatchError: a different batch left records for the same file, or is writing to it.
     """
 
     def __init__(self, path: str, job: Job, *, restart: bool = False) -> None:
@@ -45,7 +45,7 @@ class Output:
         except (FileNotFoundError, NotADirectoryError):
             mode = S_IFREG
         except (OSError, ValueError) as error:
-            # A too long part of the path, for instance, or a byte 0.
+            # For example, a name that is too long or contains a null byte.
             reason = error.strerror if isinstance(error, OSError) else str(error)
             raise BatchError(f"{show_path(path)}: {reason}") from None
         if S_ISDIR(mode):
@@ -73,7 +73,7 @@ class Output:
             self.opened = opened.pop_all()
 
     def _agree(self, restart: bool) -> None:
-        """Require that present records are those of this batch."""
+        """Check that existing records belong to this batch, or start a new file."""
         self.lock.seek(0)
         noted = self.lock.read()
         if self.part.exists() and self.part.stat().st_size and not restart:
@@ -93,7 +93,7 @@ class Output:
             self.lock.flush()
 
     def _resume(self) -> None:
-        """Count the complete records, and drop an incomplete one."""
+        """Count the complete records, and drop an incomplete last one."""
         end = 0
         for line in self.file:
             if not is_record(line, self.done) or self.done == self.job.total:
@@ -108,7 +108,7 @@ class Output:
         self.refused += is_error(line)
 
     def write(self, lines: Iterable[bytes]) -> None:
-        """Append records durably: they survive the process."""
+        """Append records and flush, so that they survive the process."""
         with name_failures(str(self.part), BatchError):
             for line in lines:
                 self.file.write(line)
@@ -116,7 +116,7 @@ class Output:
             self.file.flush()
 
     def finish(self) -> None:
-        """Make the records the result."""
+        """Convert or rename the records to the final file."""
         assert self.done == self.job.total
         with name_failures(str(self.path), BatchError):
             os.fsync(self.file.fileno())
@@ -146,7 +146,7 @@ class Output:
         error: BaseException | None,
         traceback: TracebackType | None,
     ) -> None:
-        # A failed write would fail again.
+        # After a failed write, closing fails again.
         with suppress(OSError):
             if error is not None and not self.done:
                 self.part.unlink()

@@ -1,4 +1,4 @@
-"""Parts: polygons of many pairs, each read and validated once."""
+"""Part lists, read and validated once for all pairs."""
 
 from collections.abc import Sequence
 from typing import NamedTuple, Unpack
@@ -12,10 +12,10 @@ from exactsweep.numbers.error import tells_arguments
 
 
 class Part(NamedTuple):
-    """A polygon of a part list, or the error in it.
+    """A polygon of a part list, or its error.
 
     Attributes:
-        name: its id, or else its index in the list.
+        name: its id, else its index in the list.
         polygon: a Polygon, a Region if it has holes, or an error message.
     """
 
@@ -25,7 +25,7 @@ class Part(NamedTuple):
 
 @tells_arguments
 def read_parts(path: str, tolerance: object = None, **options: Unpack[Options]) -> tuple[Part, ...]:
-    """Read a part list, each polygon once; an invalid one affects only its own pairs.
+    """Read a part list; an invalid polygon affects only its own pairs.
 
     Args:
         path: as for `exactsweep.formats.folder.find_files`, optionally with "#" and a choice.
@@ -39,7 +39,7 @@ def read_parts(path: str, tolerance: object = None, **options: Unpack[Options]) 
 
 
 def make_parts(listing: Listing) -> tuple[Part, ...]:
-    """Read the polygons of files, as `read_parts` does."""
+    """Read the polygons of a Listing, like `read_parts`."""
     found = []
     said = Said(listing.notes, listing.left_out)
     for name, _, candidate in listing.parts:
@@ -55,11 +55,11 @@ def rotate_parts(parts: Sequence[Part], degrees: Sequence[int | str]) -> list[Pa
 
     Args:
         parts: the parts.
-        degrees: counter-clockwise, as in names. Angles other than multiples of 90 are replaced by
-            `Turn.near` of `exactsweep.geometry.turn`, which has the error.
+        degrees: counter-clockwise. Angles other than multiples of 90 are approximated by
+            `Turn.near` of `exactsweep.geometry.turn`.
 
     Returns:
-        list of Part, each named "part@90" where there is a rotation.
+        list of Part; names of rotated parts are like "part@90".
 
     Example:
         >>> from exactsweep import Polygon

@@ -1,4 +1,4 @@
-"""The record of one pair, a line of JSON."""
+"""The record of a pair, a JSON line."""
 
 from collections.abc import Callable, Mapping
 from fractions import Fraction
@@ -13,8 +13,8 @@ from exactsweep.text.results import direction_to_json
 
 Quantities = Literal["trajectory", "loops", "areas", "nfp"]
 QUANTITIES: tuple[Quantities, ...] = ("trajectory", "loops", "areas", "nfp")
-"""The quantities of a batch: the trajectory alone, all loops and areas, the areas alone, or the
-no-fit polygon of each pair with its holes and exact fits."""
+"""What a batch computes: trajectories only, all loops and areas, areas only, or no-fit polygons
+with holes and exact fits."""
 
 COLUMNS = {
     "trajectory": ("kind", "direction", "trajectory"),
@@ -22,10 +22,7 @@ COLUMNS = {
     "areas": ("kind", "trajectory_area", "inner_area", "outer_area", "area"),
     "nfp": ("kind", "exterior", "holes", "exact_fits", "area"),
 }
-"""The members of a record besides "index", "error", "id", "generatrix" and "directrix".
-
-Only records of kind "SS" have "unswept".
-"""
+"""The members of a record besides the index, the error and the names; "unswept" only for "SS"."""
 
 
 def write_result_line(
@@ -35,11 +32,10 @@ def write_result_line(
     what: Quantities,
     rounding: Rounding | None = None,
 ) -> bytes:
-    """Write the wanted quantities of a pair as a line of JSON.
+    """Format the record of a pair: "index", the names, and COLUMNS[what].
 
-    The members are "index", the names, and COLUMNS of the quantities. The index and the components
-    of the direction, null for kind "SS", are integers; all other numbers are decimals if rounded,
-    else strings that `to_fraction` reads.
+    The index and the components of the direction, null for kind "SS", are integers; all other
+    numbers are decimals if rounded, else strings that `to_fraction` reads.
     """
     columns = (c for c in COLUMNS[what] if c != "unswept" or result.kind == "SS")
     values = {c: _value(result, c) for c in columns}
@@ -50,17 +46,17 @@ def write_result_line(
 
 
 def write_error_line(index: int, names: Mapping[str, object], reason: str) -> bytes:
-    """Write the error of a pair; the members are "index", "error" and the names."""
+    """Format the error record of a pair: "index", "error" and the names."""
     return _line({"index": index, "error": reason, **names})
 
 
 def is_record(line: bytes, index: int) -> bool:
-    """Decide whether a line is the complete record of a pair."""
+    """Return whether a line is the complete record of a pair."""
     return line.startswith(b'{"index": %d, ' % index) and line.endswith(b"}\n")
 
 
 def is_error(line: bytes) -> bool:
-    """Decide whether a record is an error."""
+    """Return whether a record is an error record."""
     return line.partition(b", ")[2].startswith(b'"error": ')
 
 

@@ -1,4 +1,4 @@
-"""Results of pairs on a decimal grid."""
+"""Rounding of records."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from exactsweep.geometry.region import Region
 
 
 def round_values(values: Mapping[str, Any], rounding: Rounding) -> dict[str, Any]:
-    """Round the columns of a record; areas are those of the exact loops.
+    """Round the columns of a record; areas remain those of the exact loops, rounded.
 
     Outward, the trajectory, the outer loop and the exterior grow, all other loops shrink or vanish,
     and exact fits that would move are dropped.

@@ -1,4 +1,4 @@
-"""Running a batch: chunks go to processes, records come back in order."""
+"""Execution of a batch: chunks go to processes, records return in order."""
 
 from __future__ import annotations
 
@@ -21,9 +21,9 @@ if TYPE_CHECKING:
 
     Processes = LocalProcesses | Cluster
 
-# Chunks in flight per process: enough to keep all busy while one is slow.
+# Chunks in flight per process, to keep all busy while one is slow.
 _CHUNKS_AHEAD = 8
-# Maximum number of processes that a pair alone may kill.
+# How many processes a single pair may kill.
 _TRIES = 3
 
 MAX_WORKERS = 1024
@@ -48,21 +48,21 @@ def run(
     restart: bool = False,
     progress: Callable[[int], None] | None = None,
 ) -> Counts:
-    """Compute a batch, or continue one after an interruption.
+    """Compute a batch, or resume an interrupted one.
 
     Args:
-        job: of `take_all_pairs` or `take_listed_pairs`.
-        output: a file for the records, a line of JSON for each pair, in order; or, with the suffix
-            ".parquet" or ".csv", for a table. Incomplete, the records are in `output` + ".part".
-        workers: the number of processes; one for each processor by default.
+        job: from `take_all_pairs` or `take_listed_pairs`.
+        output: a file for the records, one JSON line per pair, in order; with the suffix ".parquet"
+            or ".csv", a table. Until complete, the records are in `output` + ".part".
+        workers: the number of processes; by default one per processor.
         scheduler: the address of a Dask scheduler whose workers compute instead, or "local" for a
             new Dask cluster on this machine.
-        restart: whether to discard the records of an earlier run instead of continuing it.
+        restart: whether to discard the records of an earlier run.
         progress: called with the number of records whenever it grows.
 
     Raises:
-        BatchError: the file cannot be written, holds records of another batch, or is being written;
-            no scheduler answers.
+        BatchError: the file cannot be written, has records of another batch, or another batch is
+            writing to it; or no scheduler answers.
 
     Cost: that of the sweeps; memory for a few hundred pairs, and for the parts in each process.
     """
@@ -126,7 +126,7 @@ def _take_result(
     try:
         return answer.result()
     except processes.lost:
-        # Some pair kills its process: one pair at a time, then.
+        # Some pair kills its process: compute one pair at a time.
         return [_compute_alone(pair, processes, work) for pair in chunk]
 
 

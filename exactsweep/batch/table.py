@@ -1,4 +1,4 @@
-"""Records as a table: CSV, or a Parquet file by pyarrow."""
+"""Conversion of records to CSV or Parquet tables."""
 
 from __future__ import annotations
 
@@ -21,16 +21,13 @@ _NAMES = ("error", "id", "generatrix", "directrix")
 
 
 def require_pyarrow() -> None:
-    """Raise at the start if pyarrow, needed at the end, is missing."""
+    """Fail early if pyarrow is missing."""
     with require_imports("pyarrow", "Parquet", FormatError):
         import pyarrow.parquet  # noqa: F401
 
 
 def write_csv(records: Path, output: Path, what: Quantities) -> None:
-    """Convert records to CSV with a column for each possible member.
-
-    Directions, vertices and exact fits are JSON.
-    """
+    """Convert records to CSV; directions, vertices and exact fits are JSON."""
     columns = ("index", *_NAMES, *COLUMNS[what])
     with (
         open(records, "rb") as lines,
@@ -42,9 +39,9 @@ def write_csv(records: Path, output: Path, what: Quantities) -> None:
 
 
 def write_parquet(records: Path, output: Path, what: Quantities, *, rounded: bool = False) -> None:
-    """Convert records to a Parquet table with the columns of `write_csv`, a thousand at a time.
+    """Convert records to a Parquet table with the columns of `write_csv`.
 
-    "index" is an int64, areas are float64 if they are rounded, and all else strings.
+    "index" is an int64, rounded areas are float64, and everything else is a string.
     """
     import pyarrow
     import pyarrow.parquet
@@ -74,7 +71,7 @@ def _float(area: str) -> float:
 
 def _rows(lines: Iterator[bytes]) -> Iterator[dict[str, str | None]]:
     for line in lines:
-        # Numbers of any length stay text.
+        # Numbers may have any length, so they stay text.
         record: dict[str, Any] = json.loads(line, parse_int=_Digits, parse_float=_Digits)
         yield {
             name: value if value is None or type(value) is str else _text(value)

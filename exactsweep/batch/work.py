@@ -1,4 +1,4 @@
-"""The computation of one pair in a process, and the data of the batch for it."""
+"""The computation of pairs in a worker process."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ _MEMBERS = ("id", "generatrix", "directrix", *_OPTIONS)
 
 
 NumberedPair = tuple[int, int | bytes]
-"""The index of a pair, and its number among the pairs of parts, or its line in a file of pairs."""
+"""The index of a pair, and its number among all pairs of parts, or its line in a file of pairs."""
 
 Chunk = Sequence[NumberedPair]
 """Pairs for one process."""
@@ -35,13 +35,13 @@ Chunk = Sequence[NumberedPair]
 
 @dataclass(frozen=True)
 class Work:
-    """A batch as it is sent to every process once.
+    """The data of a batch, sent once to every worker.
 
     Attributes:
-        generatrices: the moving parts; or the parts that a file of pairs names.
-        directrices: the parts that they sweep around, or the same parts.
-        rounding: how to round numbers; None to leave them.
-        limits: the limits where the batch was made.
+        generatrices: the moving parts, or the parts that a file of pairs may name.
+        directrices: the fixed parts, or the same parts.
+        rounding: as for `take_all_pairs`.
+        limits: the limits of the caller.
     """
 
     what: Quantities
@@ -55,7 +55,7 @@ class Work:
         return [self.line(index, pair) for index, pair in chunk]
 
     def line(self, index: int, pair: int | bytes) -> bytes:
-        """Compute the record of a pair, an error record for any exception."""
+        """Compute the record of a pair; any exception becomes an error record."""
         names: Names = {}
         try:
             if isinstance(pair, int):
@@ -72,12 +72,12 @@ class Work:
             reason = "nested too deeply"
         except MemoryError:
             reason = "out of memory"
-        except Exception as error:  # a fault of this program ends no batch either
+        except Exception as error:  # a bug must not end the batch either
             reason = f"internal error: {type(error).__name__}: {error}"
         return write_error_line(index, names, reason)
 
     def lost_line(self, index: int, pair: int | bytes) -> bytes:
-        """Write the record of a pair that kills its processes."""
+        """Format the record of a pair that kills its processes."""
         parts = self._parts(pair) if isinstance(pair, int) else {}
         names: Names = {role: part.name for role, part in parts.items()}
         reason = "every process that tried this pair was killed"
@@ -141,7 +141,7 @@ def _polygon(part: Part, member: str) -> AnyPolygon:
 
 
 def _identity(text: str) -> Names:
-    """Read the id again, because the document has numbers as strings."""
+    """Parse the id again, because `parse_json` turned integers into strings."""
     document = parse_certificate(text)
     assert isinstance(document, dict)
     identity = document["id"]

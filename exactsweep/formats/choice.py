@@ -83,7 +83,7 @@ def select(candidates: Sequence[Candidate], choice: str) -> list[Candidate]:
 
 
 def is_group(candidates: Sequence[Candidate], choice: str | None) -> bool:
-    """Whether a choice selected the outlines of one group."""
+    """Return whether a choice selected the outlines of one group."""
     return bool(candidates) and all(
         choice in one.groups and choice not in (one.name, one.layer) for one in candidates
     )

@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 
 
 def is_esicup(root: Element) -> bool:
-    """Whether an XML document is an ESICUP instance."""
+    """Return whether an XML document is an ESICUP instance."""
     return _find_kind(root) == "nesting"
 
 

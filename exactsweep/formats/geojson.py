@@ -24,7 +24,7 @@ def read_geojson(
     Other geometries and open rings become rejected candidates.
 
     Raises:
-        FormatError: an invalid id, a collection without a list, or too deep nesting.
+        FormatError: an invalid id, a collection without a list, or nested too deeply.
     """
     found = _read(JsonNode(document, path), None, 0, {} if notes is None else notes)
     return [*allow_faults(found)]

@@ -171,7 +171,7 @@ class Reading:
         return unit / self.found_unit
 
     def hides(self, reason: str) -> bool:
-        """Whether to omit an element hidden for a reason ("" if visible); count it if so."""
+        """Return whether to skip an element hidden for a reason ("" if visible), and count it."""
         if not reason or self.hidden:
             return False
         self.passed[reason] += 1

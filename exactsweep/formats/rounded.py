@@ -94,7 +94,7 @@ def _find_circle(curve: object, forward: bool) -> tuple[Point, Fraction, bool] |
 
 
 def _fits(one: _Round, other: _Round, square: Fraction, *, left: bool) -> bool:
-    """Whether an arc of the given radius leads to the next one, directly or by a tangent."""
+    """Return whether an arc of the given radius leads to the next one, directly or by a tangent."""
     ends = minus(one.start, one.center), minus(one.end, one.center)
     if any(x * x + y * y != square for x, y in ends):
         return False

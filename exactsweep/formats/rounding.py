@@ -184,7 +184,7 @@ def round_region(region: Region, places: int, side: Side = "closest") -> Rounded
 
 
 def contains(outer: Region, inner: Region) -> bool:
-    """Whether a region contains another one; boundaries may touch."""
+    """Return whether a region contains another one; boundaries may touch."""
     _, (around, within) = share_lattice([outer, inner])
     return overlap.contains(around, within)
 
@@ -228,7 +228,7 @@ def _scale(ring: Sequence[Point], distance: Fraction, grid: Fraction) -> _Moved:
 
 
 def _is_proved(ring: Sequence[Point], old: Polygon, is_exterior: bool) -> bool:
-    """Whether a new ring is simple, equally oriented, and on the right of the old one."""
+    """Return whether a new ring is simple, equally oriented, and on the right of the old one."""
     try:
         new = Polygon(ring)
     except PolygonError:

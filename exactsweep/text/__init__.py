@@ -1,1 +1,1 @@
-"""Results as text: JSON and WKT for programs, reports and explanations for people."""
+"""Results as text: JSON for programs, reports and explanations for people."""

@@ -1,4 +1,4 @@
-"""Explanations of a sweep in words: steps, holes of the no-fit polygon, and exact fits."""
+"""Explanation of a sweep in words, step by step."""
 
 from __future__ import annotations
 
@@ -23,10 +23,10 @@ _HALVES: dict[Half, str] = {
 
 
 def tell(s: SweepAnswer) -> Iterator[str]:
-    """Yield an explanation of a sweep in lines of ASCII, step by step.
+    """Explain a sweep; yield ASCII lines.
 
     The steps around D come first, then the holes of the no-fit polygon and the exact fits. Features
-    have the index and the coordinates of the caller's input, positions are those of the reference
+    have the indices and coordinates of the caller's input; positions are those of the reference
     point.
 
     >>> from exactsweep import sweep
@@ -58,7 +58,7 @@ def tell(s: SweepAnswer) -> Iterator[str]:
 
 
 class _FeatureNames:
-    """The names of the vertices and edges of a polygon, by index."""
+    """The names of the vertices and edges of a polygon, by input index."""
 
     def __init__(self, shape: AnyPolygon, letter: str) -> None:
         self.names: dict[str, dict[int, str]] = {"V": {}, "E": {}}
@@ -73,7 +73,6 @@ class _FeatureNames:
             start, end = write_pair((x, y)), write_pair((qx, qy))
             self.names["V"][i] = f"vertex {i} of {letter}, {start}"
             self.names["E"][j] = f"edge {j} of {letter}, {start}-{end}"
-            # The inside of a hole is outside the shape.
             if ((x - px) * (qy - y) < (y - py) * (qx - x)) == (k < len(shape.rings[0])):
                 self.reflex.add(i)
 
@@ -128,7 +127,7 @@ class _Teller:
                 yield f"Here {self._landmark(mark)}"
 
     def holes(self) -> Iterator[str]:
-        """Describe the holes of the no-fit polygon, one line for each edge."""
+        """Describe the holes of the no-fit polygon, edge by edge."""
         s = self.sweep
         loops = [hole.vertices for hole in s.no_fit_holes]
         for k, along in enumerate(s.contacts_along(loops)):
@@ -144,7 +143,7 @@ class _Teller:
                 yield from (f"  {self._slide(contact)}" for contact in contacts)
 
     def fits(self) -> Iterator[str]:
-        """Describe the exact fits, each with the contacts along all of it."""
+        """Describe the exact fits, with the contacts along each."""
         s = self.sweep
         segments = iter(s.contacts_along([fit for fit in s.exact_fits if fit[0] != fit[1]]))
         for k, (start, end) in enumerate(s.exact_fits):
@@ -203,7 +202,7 @@ class _Teller:
         return f"{g}, runs into {d}"
 
     def _choose_telling(self, contacts: Iterable[Contact]) -> list[Contact]:
-        """Drop contacts at the ends of two edges that touch."""
+        """Drop contacts implied by an edge-edge contact."""
         contacts = list(contacts)
         implied: set[Contact] = set()
         for event, e, d in contacts:
@@ -237,11 +236,11 @@ class _Teller:
         several = undercut.intersection == "point"
         if landmark.mark == "undercut opens":
             if several:
-                return f"begin the positions that close {name} from {extremes}"
+                return f"G begins to close {name} from {extremes}"
             return f"{name} closes: from here one edge of G slides over both {extremes}"
         if several:
-            return f"end the positions that close undercut {landmark.number}"
-        return f"undercut {landmark.number} is left: the edge of G slides off it"
+            return f"G stops closing undercut {landmark.number}"
+        return f"G leaves undercut {landmark.number}: its edge slides off"
 
     def _exact_fit(self, landmark: Landmark) -> str:
         hanging, inside = self.sweep.exact_fits[landmark.number]

@@ -1,4 +1,4 @@
-"""Minkowski sums and overlaps of two shapes, as reports and JSON."""
+"""Reports and JSON of Minkowski sums and overlaps."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ from exactsweep.words import count, write_pair
 
 
 class NamedOverlap(NamedTuple):
-    """An Overlap of two shapes of files, with their names."""
+    """An Overlap, with the names of both shapes."""
 
     first: str
     second: str
@@ -30,7 +30,7 @@ class NamedOverlap(NamedTuple):
 
 
 def sum_to_json(a: AnyPolygon, b: AnyPolygon | Polyline, found: Region) -> str:
-    """Write a Minkowski sum and its summands as JSON with one name per line."""
+    """Format a Minkowski sum and its summands as JSON, one key per line."""
     path = {"path": b.points, "closed": b.closed} if isinstance(b, Polyline) else None
     return write_object(
         {
@@ -62,7 +62,7 @@ def report_sum(
 
 
 def overlap_to_json(o: Overlap) -> str:
-    """Write an overlap and its shapes as JSON with one name per line."""
+    """Format an overlap and its shapes as JSON, one key per line."""
     return write_object(
         {
             "a": write_json(write_json_value(o.a)),
@@ -73,7 +73,7 @@ def overlap_to_json(o: Overlap) -> str:
 
 
 def overlaps_to_json(found: Sequence[NamedOverlap]) -> str:
-    """Write overlaps as lines of JSON, with the names of the shapes."""
+    """Format overlaps as JSON lines, with the names of the shapes."""
     return "".join(
         write_json({"a": first, "b": second} | _list_results(o)) + "\n"
         for first, second, o in found
@@ -110,7 +110,7 @@ def report_overlap(o: Overlap, terminal_width: int | None = None) -> str:
 def report_overlaps(
     found: Sequence[NamedOverlap], free: int, terminal_width: int | None = None
 ) -> str:
-    """List the pairs of shapes that overlap or touch, and count the free ones."""
+    """List the pairs that overlap or touch, and count the free ones."""
     numbers = ("area about", "depth about")
     table = make_table(("a", "b", "verdict", *numbers), numbers)
     for first, second, o in found:

@@ -18,17 +18,17 @@ from exactsweep.numbers.digits import abridge, find_magnitude, format_fraction
 from exactsweep.numbers.number import Fit, Point, find_root
 from exactsweep.words import CLASSES, write_pair
 
-# rich takes longer to import than everything else.
+# rich is slow to import.
 if TYPE_CHECKING:
     from rich.table import Table
 
 NO_FILES: Mapping[str, str] = MappingProxyType({})
-"""For results of polygons that are in no file."""
+"""For polygons that do not come from files."""
 
 _SHOWN = 6
-"""The significant digits of a rounded number."""
+"""Significant digits of rounded numbers."""
 _ANY_EXPONENT = Context(prec=99, Emax=MAX_EMAX, Emin=MIN_EMIN)
-# A width beyond the length of any line, because rich always wraps.
+# rich always wraps, so this exceeds the length of any line.
 _NO_WRAPPING = 10**9
 
 
@@ -41,17 +41,16 @@ def report(
 ) -> str:
     """Describe a sweep: class, direction, undercuts, exact fits, sizes, areas, loops.
 
-    Areas are exact, with a decimal approximation if that differs. A long loop is
-    shown by its first vertices and the number of the others.
+    Areas are exact, with a decimal approximation if that differs. Long loops are truncated.
 
     Args:
         sweep: a Sweep.
-        terminal_width: the width of the terminal in columns; None for plain text without a width.
+        terminal_width: the width of the terminal in columns; None for plain text.
         everything: whether to show all vertices, and all digits of their coordinates.
         files: the files of the polygons, by role, such as "moves" and "stays".
 
     Returns:
-        Lines of ASCII text; for a terminal also control sequences.
+        ASCII lines; for a terminal also control sequences.
 
     Example:
         >>> from exactsweep import sweep
@@ -153,7 +152,7 @@ def _tell(
 ) -> str:
     ends = {f"exact fit {k}": tuple(dict.fromkeys(fit)) for k, fit in enumerate(fits)}
     shapes: dict[str, AnyPolygon] = {**given, **loops}
-    # rich breaks lines at blanks, but must not break a vertex.
+    # rich breaks lines at blanks, so vertices must not contain any.
     texts = {called: str(loop).replace(", ", ",") for called, loop in loops.items()}
     texts |= {called: " ".join(map(write_pair, points)) for called, points in ends.items()}
     width = max(map(len, [*facts, *shapes, name, *texts]))
@@ -163,7 +162,7 @@ def _tell(
     sizes.add_row(name, "", *write_area(area))
     tables = [list_facts(facts, width), sizes]
     if everything:
-        # Tables are slow for long numbers.
+        # Tables are slow with long numbers.
         lines = {n: loop.vertices for n, loop in loops.items()} | ends
         shown = (
             f"{n:<{width}}  {' '.join(map(_write_point, line))}\n" for n, line in lines.items()
@@ -200,9 +199,9 @@ def make_table(heads: Iterable[str], numbers: Container[str] = (), width: int = 
     """Make a borderless table with a bold first column.
 
     Args:
-        heads: of the columns.
+        heads: the column heads.
         numbers: the heads of right-aligned columns.
-        width: the least width of the first column.
+        width: the minimum width of the first column.
     """
     from rich.table import Table
 
@@ -219,7 +218,7 @@ def make_table(heads: Iterable[str], numbers: Container[str] = (), width: int = 
 
 
 def list_facts(texts: Mapping[str, str], width: int) -> Table:
-    """Make a table of names and texts; the width is the least one of the names."""
+    """Make a table of names and texts, with a minimum width of the names."""
     from rich.table import Table
 
     table = Table.grid(padding=(0, 2, 0, 0))
@@ -231,13 +230,13 @@ def list_facts(texts: Mapping[str, str], width: int) -> Table:
 
 
 def write_area(area: Fraction) -> tuple[str, str]:
-    """Write an area rounded, unless that is exact, and exactly."""
+    """Format an area rounded ("" if that is exact) and exactly."""
     exact, rounded = abridge(area), approximate(area)
     return "" if rounded == exact else rounded, exact
 
 
 def approximate(value: Fraction, *, up: bool = False, more: int = 0) -> str:
-    """Round a number to six significant digits and `more`, to nearest or up.
+    """Format a number with 6 + `more` significant digits, rounded to nearest or up.
 
     >>> approximate(Fraction(-20, 3)), approximate(Fraction(30)), approximate(Fraction(2**99))
     ('-6.66667', '30', '6.33825e+29')
@@ -257,7 +256,7 @@ def approximate(value: Fraction, *, up: bool = False, more: int = 0) -> str:
 
 
 def take_root(square: Fraction) -> Fraction:
-    """Return the square root of a number of any size: exact, or rounded up to about 60 bits.
+    """Return the square root, exact if rational, else rounded up to about 60 bits.
 
     >>> take_root(Fraction(1, 4)), float(take_root(Fraction(2)))
     (Fraction(1, 2), 1.4142135623730951)

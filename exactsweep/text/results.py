@@ -1,4 +1,4 @@
-"""Results as exact JSON with one name per line, and as named regions."""
+"""Results as exact JSON and as named regions."""
 
 from __future__ import annotations
 
@@ -26,11 +26,11 @@ _ZERO = Fraction(0)
 
 
 def sweep_to_json(sweep: SweepAnswer, error: Fraction = _ZERO) -> str:
-    """Write a sweep and its input as JSON with one name per line.
+    """Format a sweep and its input as JSON, one key per line.
 
     The direction is a pair of integers, null for kind "SS"; all other numbers are strings that
-    `to_fraction` reads. A polygon with holes is an object with "exterior" and "holes". `error`, the
-    sum of the errors of both polygons, is a member if it is not 0.
+    `to_fraction` reads. A polygon with holes is an object with "exterior" and "holes". `error` is
+    the sum of the errors of both polygons; 0 is omitted.
     """
     loops = {"trajectory": sweep.trajectory, "inner": sweep.inner, "outer": sweep.outer}
     texts = {
@@ -44,7 +44,7 @@ def sweep_to_json(sweep: SweepAnswer, error: Fraction = _ZERO) -> str:
 
 
 def no_fit_to_json(n: NoFitAnswer, error: Fraction = _ZERO) -> str:
-    """Write a no-fit polygon and its input as JSON, in the form of `sweep_to_json`."""
+    """Format a no-fit polygon and its input as JSON, like `sweep_to_json`."""
     return write_object(
         {
             "stationary": _write(write_json_value(n.stationary)),
@@ -61,7 +61,7 @@ def no_fit_to_json(n: NoFitAnswer, error: Fraction = _ZERO) -> str:
 
 
 def regions_to_json(f: RegionAnswer, error: Fraction = _ZERO) -> str:
-    """Write regions of positions and their input as JSON, as `sweep_to_json` does."""
+    """Format regions of positions and their input as JSON, like `sweep_to_json`."""
     return write_object(
         {
             **{name: _write(value) for name in f.asked if (value := getattr(f, name)) != ()},
@@ -78,7 +78,7 @@ def _tell_error(error: Fraction) -> dict[str, str]:
 
 
 def write_json_value(shape: AnyPolygon) -> object:
-    """Convert a shape to a list of vertices, or with holes to an object of its rings."""
+    """Convert a shape to a list of vertices, or with holes to an object with its rings."""
     return _rings(shape) if isinstance(shape, Region) and shape.holes else shape.vertices
 
 
@@ -91,7 +91,7 @@ def _loops(loops: Iterable[Polygon]) -> list[object]:
 
 
 def certificate_to_json(result: SweepAnswer | NoFitAnswer | RegionAnswer | MinkowskiSum) -> str:
-    """Write the certificate of an answer as JSON."""
+    """Format the certificate of an answer as JSON."""
     found = result.certificate()
     return write_object(
         {name: json.dumps(value, separators=(",", ":")) for name, value in found.items()}
@@ -99,9 +99,9 @@ def certificate_to_json(result: SweepAnswer | NoFitAnswer | RegionAnswer | Minko
 
 
 def explanation_to_json(sweep: SweepAnswer) -> str:
-    """Write the steps of a sweep as JSON, in the form of `sweep_to_json`.
+    """Format the steps of a sweep as JSON, like `sweep_to_json`.
 
-    "features" maps each vertex, and the edge from it, to its number in the caller's input.
+    "features" maps each vertex, and the edge that starts there, to its index in the caller's input.
     """
     steps = [_write(_step(step)) for step in explain(sweep)]
     return write_object(
@@ -137,7 +137,7 @@ def _fit_contacts(sweep: SweepAnswer) -> list[Sequence[Contact]]:
 
 
 def verification_to_json(verification: Verification) -> str:
-    """Write a Verification as one JSON object: "proved", "reason" and "witness", or null."""
+    """Format a Verification as JSON."""
     return write_object({name: _write(part) for name, part in verification._asdict().items()})
 
 
@@ -152,14 +152,14 @@ def _input(sweep: SweepAnswer) -> dict[str, str]:
 
 
 def direction_to_json(direction: Vector | None) -> str:
-    """Write a direction as a pair of integers of any length, or null."""
+    """Format a direction as a pair of integers, or null."""
     if direction is None:
         return "null"
     return f"[{', '.join(format_fraction(Fraction(component)) for component in direction)}]"
 
 
 def list_numbers(shape: AnyPolygon) -> dict[str, list[int]]:
-    """List the numbers of vertices, and of the edges that start there, in the caller's input."""
+    """List the indices of vertices, and of the edges that start there, in the caller's input."""
     size = len(shape)
     return {
         "vertices": [shape.vertex_index(k) for k in range(size)],
@@ -182,7 +182,7 @@ def _step(step: Step) -> dict[str, object]:
 
 
 def write_object(texts: Mapping[str, str]) -> str:
-    """Write an object of JSON of written values, one name per line."""
+    """Format a JSON object from formatted values, one key per line."""
     lines = (f"  {json.dumps(name)}: {text}" for name, text in texts.items())
     return "{\n" + ",\n".join(lines) + "\n}\n"
 
@@ -198,9 +198,9 @@ def _encode(value: Region | Fraction) -> object:
 def sweep_to_regions(
     sweep: SweepAnswer, stays: Fraction = _ZERO, moves: Fraction = _ZERO
 ) -> list[NamedRegion]:
-    """Name the loops of a sweep, with their errors.
+    """Name the loops of a sweep, given the errors of both polygons.
 
-    The error of the generatrix counts twice except in the trajectory.
+    The error of the generatrix counts twice, except in the trajectory.
     """
     loops = {"trajectory": sweep.trajectory, "inner": sweep.inner, "outer": sweep.outer}
     loops |= {f"unswept {k}": loop for k, loop in enumerate(sweep.unswept)}
@@ -213,13 +213,13 @@ def sweep_to_regions(
 def no_fit_to_regions(
     n: NoFitAnswer, stays: Fraction = _ZERO, moves: Fraction = _ZERO
 ) -> list[NamedRegion]:
-    """Make one Region "nfp" of a no-fit polygon, without its exact fits."""
+    """Return a no-fit polygon as a region "nfp", without its exact fits."""
     return [NamedRegion(Region(n.exterior, n.holes), "nfp", None, stays + moves)]
 
 
 def name_regions(
     f: RegionAnswer, stays: Fraction = _ZERO, moves: Fraction = _ZERO
 ) -> list[NamedRegion]:
-    """Name regions of positions: "region 0" and so on."""
+    """Name regions of positions "region 0" and so on."""
     regions = enumerate(f.regions)
     return [NamedRegion(region, f"region {k}", None, stays + moves) for k, region in regions]

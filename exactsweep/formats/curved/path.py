@@ -325,7 +325,7 @@ def find_share(size: Fraction, share: int) -> Fraction:
 
 
 def find_grid(tolerance: Fraction) -> int:
-    """Return a power of ten such that rounding to its inverse uses a fifth of a tolerance."""
+    """Return the grid lines per unit, a power of ten, to round within a fifth of a tolerance."""
     grid = 1
     while tolerance * grid < 4:
         grid *= 10

@@ -51,7 +51,7 @@ def parse_svg(text: str, reading: Reading) -> list[Candidate]:
     Coordinates are user units unless a unit is requested; Y points down.
 
     Raises:
-        FormatError: not XML or not SVG, invalid entities, too deep nesting, a requested unit is
+        FormatError: not XML or not SVG, invalid entities, excessive nesting, a requested unit is
             unknown, or a limit exceeded.
 
     Cost: linear in the length of the text and in the number of drawn elements, plus
@@ -205,7 +205,7 @@ def _read(shape: PlacedElement, reading: Reading) -> list[Candidate | OpenLine]:
 
 
 def is_filled(shape: PlacedElement) -> bool:
-    """Whether a shape is filled."""
+    """Return whether a shape is filled."""
     return shape.inherited("fill", "black") not in _UNPAINTED
 
 

@@ -19,7 +19,7 @@ def read_transform(text: str) -> Affine:
     """Read a `transform` attribute, whose last function applies first.
 
     Raises:
-        FormatError: a syntax error, or too long numbers.
+        FormatError: a syntax error, or numbers that are too long.
 
     Example:
         >>> text = "translate(10) rotate(90)"
@@ -46,10 +46,10 @@ def read_transform(text: str) -> Affine:
 
 
 def compose(outer: Affine, inner: Affine) -> Affine:
-    """Return the map that applies `inner` and then `outer`; reject too long numbers."""
+    """Return the map that applies `inner` and then `outer`; reject excessively long numbers."""
     product = outer @ inner
     if any(n.numerator.bit_length() + n.denominator.bit_length() > _MAX_BITS for n in product):
-        raise FormatError("the product of the transformations has too long numbers")
+        raise FormatError("the product of the transformations has numbers that are too long")
     return product
 
 
