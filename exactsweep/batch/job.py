@@ -108,6 +108,16 @@ def take_listed_pairs(
 
     Raises:
         BatchError: an unreadable file, two parts with the same name, or unknown quantities.
+
+    Example:
+        >>> from tempfile import TemporaryDirectory
+        >>> from exactsweep import Polygon
+        >>> square = Part("square", Polygon([(0, 0), (1, 0), (1, 1), (0, 1)]))
+        >>> with TemporaryDirectory() as folder:
+        ...     file = Path(folder, "pairs.jsonl")
+        ...     _ = file.write_text('{"generatrix": "square", "directrix": "square"}')
+        ...     take_listed_pairs(str(file), [square]).total
+        1
     """
     listed = _parts(parts)
     for name, count in Counter(part.name for part in listed).items():

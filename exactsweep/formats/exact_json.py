@@ -125,6 +125,17 @@ def read_certificate(path: str) -> object:
 
     Raises:
         FormatError: an unreadable file, or not JSON.
+
+    Example:
+        >>> from tempfile import TemporaryDirectory
+        >>> from exactsweep import sweep
+        >>> from exactsweep.check import verify
+        >>> square = [(0, 0), (1, 0), (1, 1), (0, 1)]
+        >>> with TemporaryDirectory() as folder:
+        ...     file = Path(folder, "certificate.json")
+        ...     _ = file.write_text(json.dumps(sweep(square, square).certificate()))
+        ...     verify(read_certificate(str(file))).proved
+        True
     """
     with name_refusals(show_path(path), FormatError):
         return parse_certificate(read_text(path))
