@@ -54,7 +54,7 @@ def ask(certificate: Any, checker: Path | None = None, seconds: float = 600) -> 
         seconds: the time limit.
 
     Returns:
-        "accepted", "rejected", "out of time", or "malformed" (layouts with faults, too).
+        "accepted", "rejected", "out of time", or "malformed" (claims without a theorem, too).
 
     Raises:
         RuntimeError: the checker cannot be built, or fails.
