@@ -84,7 +84,9 @@ class Frame(NamedTuple):
         scale = self.scale * (p * p + q * q)
         found = []
         for x, y in points:
-            (x, b), (y, d) = x.as_integer_ratio(), y.as_integer_ratio()
-            x, y, unit = x * d, y * b, scale * b * d
+            unit = scale
+            if type(x) is not int or type(y) is not int:
+                (x, b), (y, d) = x.as_integer_ratio(), y.as_integer_ratio()
+                x, y, unit = x * d, y * b, scale * b * d
             found.append(Point(divide(p * x - q * y, unit), divide(q * x + p * y, unit)))
         return found if shift == ORIGIN else [Point(x + shift.x, y + shift.y) for x, y in found]

@@ -147,6 +147,8 @@ def _make_reduced(numerator: int, denominator: int) -> Fraction:
 
 def divide(value: int, divisor: int) -> Fraction:
     """Divide by a positive int; `Fraction` takes twice as long."""
+    if divisor == 1:
+        return _make_reduced(value, 1)
     common = gcd(value, divisor)
     return _make_reduced(value // common, divisor // common)
 
@@ -158,8 +160,8 @@ def ratio(value: int | Fraction, divisor: int | Fraction) -> int | Fraction:
         >>> ratio(6, 3), ratio(6, 4)
         (2, Fraction(3, 2))
     """
-    found = Fraction(value, divisor)
-    return found.numerator if found.denominator == 1 else found
+    whole, rest = divmod(value, divisor)
+    return Fraction(value, divisor) if rest else whole
 
 
 def find_root(square: Fraction) -> Fraction | None:
