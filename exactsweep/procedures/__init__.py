@@ -1,10 +1,4 @@
-"""The procedures of the paper, section by section, and the solvers built on them.
-
-The paper's ten procedures have their own names: `trajectory_cc`, `sweep_inner_cc` and
-`sweep_outer_cc` (Section 3), `trajectory_cm`, `sweep_inner_cm` and `sweep_outer_cm` (Section 4),
-`trajectory_mm` and `sweep_mm` (Section 5), `lower_envelope_cm` (Appendix) and `lower_envelope_mm`
-(Section 5.1). They take and return a `Chain` or a `Graph`.
-"""
+"""The procedures of the paper, under their own names, and the solvers built on them."""
 
 from exactsweep.procedures.cc import sweep_inner_cc, sweep_outer_cc, trajectory_cc
 from exactsweep.procedures.chain import Chain

@@ -51,12 +51,12 @@ class ShapeSolution:
 
     @cached_property
     def fits(self) -> list[Fit]:
-        """Exact fits anywhere, in caves and holes, too."""
+        """The exact fits, including those in caves and holes."""
         return self._no_fit.fits
 
     @cached_property
     def _path(self) -> list[list[Vertex]]:
-        """T. A lattice with its vertices, which are crossings, would be huge."""
+        """T, with rational vertices, because a lattice of crossings would be huge."""
         return [[self.frame.enter_point(vertex) for vertex in self.trajectory]]
 
     @cached_property
@@ -92,6 +92,6 @@ class ShapeSolution:
 
     @cached_property
     def pockets(self) -> list[Pocket]:
-        """The regions between D and the inner loop, as of `MonotoneSolution`; no holes of D."""
+        """The regions between D and the inner loop, without the holes of D."""
         inner = [self.frame.enter_point(vertex) for vertex in self.inner]
         return find_pockets(inner, self.directrix[0])

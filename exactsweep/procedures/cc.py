@@ -1,11 +1,11 @@
 """The CC sweep: convex generatrix, convex directrix (Section 3).
 
-Lemma 3.1: the trajectory T(G_t, D_b) consists of the edges of reversed G_t and of D_b, in order of
-slope. Lemma 3.2: the inner boundary is D_b, the outer one the edges of reversed G_t, of G_b and of
-D_b in order of slope. Time and space O(m + n) (Corollary 3.4).
+Lemma 3.1: the trajectory T(G_t, D_b) consists of the edges of reversed G_t and of D_b, sorted by
+slope. Lemma 3.2: the inner boundary is D_b; the outer boundary consists of the edges of reversed
+G_t, of G_b and of D_b, sorted by slope. Time and space are O(m + n) (Corollary 3.4).
 
-Reversed G_t (Definition 3.1) is passed with its edges laid end to end: the inverse of G_t, from
-left to right. Parallel edges, which the paper excludes, become one edge (EE, Table 1).
+The edges of reversed G_t (Definition 3.1), laid end to end, are the inverse of G_t, from left to
+right. Parallel edges, which the paper excludes, become one edge (EE, Table 1).
 """
 
 from __future__ import annotations
@@ -18,9 +18,9 @@ from exactsweep.procedures.graph import Graph, Piece, Ranges, VertexContact
 
 
 def trajectory_cc(generatrix: Chain, directrix: Chain) -> Graph:
-    """Trajectory T(G_t, D_b) of a convex top chain along a convex bottom chain.
+    """Compute the trajectory T(G_t, D_b) of a convex top chain along a convex bottom chain.
 
-    Procedure Trajectory_CC, for reversed G_t and D_b. Neither has vertical edges. Cost: O(m + n).
+    Procedure Trajectory_CC, for reversed G_t and D_b without vertical edges. Cost: O(m + n).
 
     >>> lid, valley = Chain.of([(-1, -1), (0, -1)]), Chain.of([(0, 0), (1, -1), (2, 0)])
     >>> list(trajectory_cc(lid, valley))
@@ -31,9 +31,9 @@ def trajectory_cc(generatrix: Chain, directrix: Chain) -> Graph:
 
 
 def sweep_inner_cc(generatrix: Chain, directrix: Chain) -> Chain:
-    """Inner boundary of the sweep of a convex G_t along a convex D_b: D_b (Lemma 3.2).
+    """Return the inner boundary of the sweep of a convex G_t along a convex D_b: D_b (Lemma 3.2).
 
-    Procedure SweepI_CC: return the edges of D_b. Arguments as for `trajectory_cc`.
+    Procedure SweepI_CC, with the arguments of `trajectory_cc`.
 
     >>> lid, valley = Chain.of([(-1, -1), (0, -1)]), Chain.of([(0, 0), (1, -1), (2, 0)])
     >>> list(sweep_inner_cc(lid, valley))
@@ -43,10 +43,10 @@ def sweep_inner_cc(generatrix: Chain, directrix: Chain) -> Chain:
 
 
 def sweep_outer_cc(generatrix: Chain, bottom: Chain, directrix: Chain) -> Graph:
-    """Outer boundary of the sweep of a convex G along a convex D_b (Lemma 3.2).
+    """Compute the outer boundary of the sweep of a convex G along a convex D_b (Lemma 3.2).
 
-    Procedure SweepO_CC: merge the lists of edges of reversed G_t, G_b and D_b by slope, from v_l of
-    D + (v_l - v_r of G). Arguments as for `trajectory_cc`; `bottom` is G_b. Cost: O(m + n).
+    Procedure SweepO_CC: merge the edges of reversed G_t, of `bottom` (G_b) and of D_b by slope,
+    starting at v_l of D + (v_l - v_r of G). Cost: O(m + n).
 
     >>> lid, valley = Chain.of([(-1, -1), (0, -1)]), Chain.of([(0, 0), (1, -1), (2, 0)])
     >>> list(sweep_outer_cc(lid, Chain.of([(0, 0), (1, 0)]), valley))
@@ -56,11 +56,9 @@ def sweep_outer_cc(generatrix: Chain, bottom: Chain, directrix: Chain) -> Graph:
 
 
 def merge_by_slope(generatrix: ConvexPart, directrix: ConvexPart) -> Graph:
-    """Merge the sorted lists of relevant edges of two convex parts that face.
+    """Merge the relevant edges of two facing convex parts by slope, with their events (Table 1).
 
-    The edges lie end to end from the first contact on, with their events (Table 1). An edge of one
-    part moves by a vertex of the other: D_b's by vertex j of G (VE), G's by vertex i of D_b (EV).
-
+    Vertex j of G moves an edge of D_b (VE); vertex i of D_b moves an edge of G (EV).
     Cost: O(m + n).
     """
     gs, ds = generatrix.edges, directrix.edges
@@ -99,8 +97,5 @@ def subtrajectories(
     directrix_parts: Sequence[ConvexPart],
     ranges: Ranges | None = None,
 ) -> list[list[Graph]]:
-    """Return T(G_i, D_j) for all pairs of parts with relevant edges: row i, by j.
-
-    `ranges`, the x-ranges in which the envelope is needed, do not matter here.
-    """
+    """Return T(G_i, D_j) for all pairs of facing parts, in row i by j; ignore the x-ranges."""
     return [[merge_by_slope(g, d) for d in directrix_parts if g.faces(d)] for g in generatrix_parts]

@@ -1,14 +1,14 @@
-"""A pruning step of the MM sweep: skip subtrajectories above the envelope.
+"""The pruning step of the MM sweep, which skips subtrajectories above the envelope.
 
-The x-range is cut into strips. The ceiling is an upper bound of the envelope over each strip, at
-first infinity. The parts of both chains are tried in order of their lowest points.
+The x-range is cut into strips. The ceiling is an upper bound of the envelope over each strip,
+initially infinity. The parts of both chains are tried in order of their lowest points.
 
-    (1)  A pair whose lowest point is not below the ceiling over its x-range is dropped.
+    (1)  A pair is dropped if its lowest point is not below the ceiling over its x-range.
     (2)  A subtrajectory lowers the ceiling over each strip that it crosses: it is convex, so its
          heights at both borders bound it.
-    (3)  A subtrajectory that is below the ceiling of no strip is dropped, too.
+    (3)  A subtrajectory is dropped, too, if it is nowhere below the ceiling.
 
-Heights are ints, rounded to the safe side, so a dropped sum is nowhere below the envelope. Without
+Heights are ints, rounded conservatively, so a dropped sum is nowhere below the envelope. Without
 this step, trajectories of two zigzags take 2 times (64 vertices) or 5 times (256 vertices) as long.
 """
 
@@ -27,8 +27,8 @@ from exactsweep.procedures.graph import Graph, Ranges
 STRIPS = 8
 """Strips for each part of the shorter list, so that a sum crosses O(1) of them on average.
 
-All loops of zigzags of 256 vertices took 1.6 times as long with 4, and 0.9 times with 16; those of
-staircases of 256 vertices, which have less to prune, 1.0 and 1.15 times.
+With 4 and 16, all loops of zigzags of 256 vertices took 1.6 and 0.9 times as long; those of
+staircases of 256 vertices, which have less to prune, took 1.0 and 1.15 times as long.
 """
 
 
@@ -37,13 +37,13 @@ def subtrajectories(
     directrix_parts: Sequence[ConvexPart],
     ranges: Ranges | None = None,
 ) -> list[list[Graph]]:
-    """Return those of `cc.subtrajectories` that may be on the envelope.
+    """Return the subtrajectories that may be on the envelope.
 
     Cost: O(strips crossed) for each pair of parts, O(1) on average; memory O(parts + result).
     """
     count = STRIPS * min(len(generatrix_parts), len(directrix_parts))
     if ranges is None and count <= STRIPS**2:
-        # So few sums cost less than their bounds.
+        # Few sums cost less than their bounds.
         return cc.subtrajectories(generatrix_parts, directrix_parts)
     rows, columns = bound_all(generatrix_parts), bound_all(directrix_parts)
     left = min(row[1] for row in rows) + min(column[1] for column in columns)

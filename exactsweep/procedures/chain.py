@@ -1,13 +1,12 @@
 """X-monotone chains and their convex parts (Sections 2 to 4, Definitions 3.1, 5.1 and 5.2).
 
-A polygon that is monotone in X has a bottom chain and a top chain (Figure 2). The inverse
-of a top chain is a bottom chain. So every `Chain` runs from left to right and bounds a region above
-it. Vertical edges may stand anywhere (weak monotonicity). All numbers are ints: vertices have
-homogeneous coordinates.
+An X-monotone polygon has a bottom chain and a top chain (Figure 2). The inverse of a top chain is a
+bottom chain. So every `Chain` runs from left to right and bounds a region above it. It may have
+vertical edges (weak monotonicity). All numbers are ints: vertices have homogeneous coordinates.
 
 Errata. The paper calls a chain convex if a straight edge closes it to a convex polygon. Lemma 3.1
-needs one side: here a convex chain turns left at every vertex. The paper measures slopes
-"clockwise" and means counter-clockwise.
+needs one side only: here a convex chain turns left at every vertex. The paper measures slopes
+"clockwise" but means counter-clockwise.
 """
 
 from __future__ import annotations
@@ -56,7 +55,7 @@ class Chain:
 
     @classmethod
     def of(cls, points: Sequence[Vertex]) -> Chain:
-        """Make a chain of points, from left to right; repeated points count once.
+        """Create a chain from points in order of x; repeated points count once.
 
         Raises ChainError if x decreases, or never increases. Cost: O(n).
         """
@@ -127,7 +126,7 @@ def reverse(edges: Iterable[Edge]) -> list[Edge]:
 
 
 def complement(points: Sequence[Vertex]) -> list[Vertex]:
-    """Return a chain traversed backwards: the boundary of the other side (Definition 5.2).
+    """Traverse a chain backwards: return the boundary of the other side (Definition 5.2).
 
     >>> complement([(0, 0), (1, -1), (2, 0)])
     [(2, 0), (1, -1), (0, 0)]
@@ -147,7 +146,7 @@ def split(loop: Sequence[Vertex]) -> tuple[list[Vertex], list[Vertex]]:
     first, greatest = loop.index(min(loop)), max(loop)
     ring = [*loop[first:], *loop[:first]]
     last = ring.index(greatest)
-    # The bottom chain runs to the greatest vertex, the upper end of a vertical edge on the right.
+    # The bottom chain ends at the greatest vertex, the upper end of any vertical edge on the right.
     bottom, top = ring[: last + 1], ring[last:]
     while bottom[-2][0] == greatest[0]:
         bottom.pop()
@@ -187,17 +186,17 @@ def _are_collinear(p: V, q: V, r: V) -> bool:
 
 
 class ConvexPart(NamedTuple):
-    """A convex part of a chain, between two reflex vertices, vertical edges or ends of the chain.
+    """A convex part of a chain, between reflex vertices, vertical edges or ends of the chain.
 
-    If an edge of G slid over a reflex vertex of D_b, G would overlap D. So along a part of D_b only
-    edges of G with slopes between those of the part are relevant, and vice versa. At an end of the
-    chain, and at a vertical edge to a higher neighbour, G may leave the part: there all slopes
-    beyond those of the part are relevant, too.
+    If an edge of G slid over a reflex vertex of D_b, G would overlap D. So along a part of D_b, the
+    relevant edges of G are those with slopes between the slopes of the part, and vice versa. At an
+    end of the chain, and at a vertical edge up to the neighbour, G may leave the part: there all
+    slopes beyond those of the part are relevant, too.
 
     Attributes:
         vertices: the vertices of the whole chain.
-        first: the number of the first vertex of the part.
-        edges: the edges of the part, in order of slope.
+        first: the index of the first vertex of the part.
+        edges: the edges of the part, sorted by slope.
         flattest, steepest: the bounds of all relevant edges.
     """
 
@@ -208,15 +207,15 @@ class ConvexPart(NamedTuple):
     steepest: SlopeBound
 
     def faces(self, other: ConvexPart) -> bool:
-        """Decide whether some edges of two parts are relevant to each other."""
+        """Decide whether two parts have edges that are relevant to each other."""
         return self.flattest < other.steepest and other.flattest < self.steepest
 
 
 def partition(generatrix: Chain, directrix: Chain) -> tuple[list[ConvexPart], list[ConvexPart]]:
     """Partition reversed G_t and D_b into convex parts (step 1 of Trajectory_CM, Trajectory_MM).
 
-    Slopes of lines with dx <= w differ by at least 1 / w^2. So slopes rounded down to multiples of
-    1 / w^2 keep their order, and equal ints are equal slopes.
+    Different slopes of lines with dx <= w differ by at least 1 / w^2. So slopes rounded down to
+    multiples of 1 / w^2 keep their order, and equal ints are equal slopes.
     """
     unit = 4 ** max(generatrix.widest, directrix.widest).bit_length()
     return find_convex_parts(generatrix, unit, 1), find_convex_parts(directrix, unit, 0)

@@ -1,14 +1,14 @@
 """The CM sweep: convex generatrix, monotone directrix (Section 4, Appendix).
 
-The reflex vertices split D_b into convex chains D_1, ..., D_k. Each gives a CC sweep. The
+The reflex vertices split D_b into convex chains D_1, ..., D_k. Each yields a CC sweep. The
 trajectory and the outer boundary are the lower envelopes of the results (Lemma 4.1). The inner
 boundary is D_b with its undercuts closed (Figure 7). Time and space are O(m n), which is optimal
 (Corollaries 4.5 and 4.6).
 
-Lemma A.3, at most one crossing, also holds for degenerate input. T(G_t, D_i) is the minimum over a
-in D_i of D_b(a) + h(x - a) for one convex h. So the difference of two subtrajectories, the left one
-minus the right one, never decreases along x, for every D_b, with jumps and parallel edges. It is
-zero in one point, on one segment, or nowhere.
+Lemma A.3 (at most one crossing) also holds for degenerate input. T(G_t, D_i) is the minimum over a
+in D_i of D_b(a) + h(x - a) for a convex function h. So the left subtrajectory minus the right one
+never decreases along x, even with jumps and parallel edges. It is zero in one point, on one
+segment, or nowhere.
 """
 
 from __future__ import annotations
@@ -37,10 +37,9 @@ G touches D_b at `left` along the piece `before` of T, at `right` along the piec
 
 
 def trajectory_cm(generatrix: Chain, directrix: Chain) -> Graph:
-    """Trajectory T(G_t, D_b) of a convex top chain along a monotone bottom chain.
+    """Compute the trajectory T(G_t, D_b) of a convex top chain along a monotone bottom chain.
 
-    Procedure Trajectory_CM, for convex reversed G_t and D_b. Each piece of the result, the path of
-    G's origin, has its event. Cost: O(m n).
+    Procedure Trajectory_CM, for convex reversed G_t and D_b. Cost: O(m n).
 
     >>> list(trajectory_cm(Chain.of([(-1, 0), (0, 0)]), Chain.of([(0, 0), (2, 2), (4, 0)])))
     [(-1, 0), (0, 0), (Fraction(3, 2), Fraction(3, 2)), (3, 0), (4, 0)]
@@ -54,10 +53,10 @@ def trajectory_cm(generatrix: Chain, directrix: Chain) -> Graph:
 
 
 def sweep_outer_cm(generatrix: Chain, bottom: Chain, directrix: Chain) -> Graph:
-    """Outer boundary of the sweep of a convex G along a monotone D_b.
+    """Compute the outer boundary of the sweep of a convex G along a monotone D_b.
 
-    Procedure SweepO_CM: as Trajectory_CM, with the edges of reversed G_t and of G_b (`bottom`)
-    merged in the place of reversed G_t. Cost: O(m n).
+    Procedure SweepO_CM: Trajectory_CM with the merged edges of reversed G_t and of `bottom` (G_b)
+    in place of reversed G_t. Cost: O(m n).
 
     >>> bar, lid = Chain.of([(0, 0), (1, 0)]), Chain.of([(-1, 0), (0, 0)])
     >>> list(sweep_outer_cm(lid, bar, Chain.of([(0, 0), (2, 2), (4, 0)])))
@@ -67,12 +66,12 @@ def sweep_outer_cm(generatrix: Chain, bottom: Chain, directrix: Chain) -> Graph:
 
 
 def sweep_inner_cm(generatrix: Chain, directrix: Chain, trajectory: Graph | None = None) -> Chain:
-    """Inner boundary of the sweep of a convex G_t along a monotone D_b.
+    """Compute the inner boundary of the sweep of a convex G_t along a monotone D_b.
 
     Procedure SweepI_CM. Where two subtrajectories meet, G touches D_b in two places. The part of
-    G_t between them is the bottom chain of an undercut (Figure 7a). Where the subtrajectories share
-    a segment, any of its points gives the same bottom chain (Figure 7b). At a jump of the
-    trajectory the higher position counts. Cost: O(m n).
+    G_t between them is the bottom chain of an undercut (Figure 7a). If the subtrajectories share a
+    segment, all its points give the same bottom chain (Figure 7b). At a jump of the trajectory, the
+    higher position counts. Cost: O(m n).
 
     >>> sweep_inner_cm(Chain.of([(-1, -1), (0, -1)]), Chain.of([(0, 0), (1, 1), (2, 0)])).points
     [(0, 0), (Fraction(1, 2), Fraction(1, 2)), (Fraction(3, 2), Fraction(1, 2)), (2, 0)]

@@ -1,8 +1,8 @@
-"""The pruning step for wide shapes: parts of segments that squares of a grid prove to be in O.
+"""The pruning step for wide shapes, in which squares of a grid prove parts of segments to be in O.
 
 (1) Let A be a block of two by two squares inside D, off its boundary, and let H have a point b in
     a square B. Then A + b is in O = int D + int H, because b is a limit of inner points of H. For
-    any place of b in B, A + b holds the square in the middle of A + B.
+    any b in B, A + b contains the square in the middle of A + B.
 
 A set of squares is a list of bitmasks, one int per column and one bit per row.
 """
@@ -21,7 +21,7 @@ from exactsweep.geometry.edges import Rings
 from exactsweep.procedures.segments import ContactSegment
 
 _FEW, _CROSSINGS = 250, Fraction(4, 5)
-"""Least number of segments, and of expected crossings per segment, at which pruning saves time."""
+"""Minimum numbers of segments, and of expected crossings per segment, for pruning to save time."""
 _MOST_COLUMNS = 400
 """The sum of two sets of squares takes time proportional to its fourth power."""
 
@@ -31,7 +31,7 @@ def leave_out_covered(
 ) -> Sequence[ContactSegment]:
     """Cut contact segments at columns of squares, and drop the pieces that squares cover.
 
-    Cost: O(1) for each column that a segment meets, and the sum of squares.
+    Cost: that of `add_squares`, plus O(1) for each column that a segment meets.
     """
     if len(segments) < _FEW:
         return segments
@@ -79,7 +79,7 @@ def add_squares(stationary: Rings, moving: Rings, side: int) -> tuple[int, int, 
 def find_squares(rings: Rings, side: int) -> tuple[int, int, list[int], list[int]]:
     """Return the first column and row, the closed squares that edges meet, and those inside.
 
-    Squares that edges meet may count as inside or not.
+    A square that meets an edge may also be among those inside.
     """
     xs, ys = zip(*chain.from_iterable(rings), strict=True)
     left, low = int(min(xs) // side) - 1, int(min(ys) // side) - 1
@@ -90,7 +90,7 @@ def find_squares(rings: Rings, side: int) -> tuple[int, int, list[int], list[int
     ):
         dx, dy = qx - px, qy - py
         for k in range(-(-px // side) - 1, qx // side + 1):
-            # The heights of the edge at both borders of the column, or its ends, times dx.
+            # The heights of the edge at both borders of the column, or at its ends, times dx.
             x, u = max(k * side, px), min((k + 1) * side, qx)
             start, end = (py, qy) if dx == 0 else (py * dx + (x - px) * dy, py * dx + (u - px) * dy)
             unit = side * (dx or 1)

@@ -1,15 +1,15 @@
-"""The crossings of contact segments, and the pieces that they leave.
+"""The crossings of contact segments, and the remaining pieces between them.
 
-(1) A piece of a segment between two neighbouring crossings is free or in O as a whole. If overlap
-    passes through an end of the piece, on that side of another segment on which the piece lies, the
-    piece is in O, by (2) of `segments`.
-(2) Each piece that is left bounds a free region on its right; or it is an exact fit, if it has
-    overlap on both sides; or it is in O after all.
+(1) A piece of a segment between two neighbouring crossings is free or in O as a whole. If another
+    segment crosses an end of the piece, and overlap passes through that end on the side on which
+    the piece lies, the piece is in O, by (2) of `segments`.
+(2) Each remaining piece bounds a free region on its right; or it is an exact fit, if it has overlap
+    on both sides; or it is in O after all.
 (3) A single free position has overlap in all directions. So every direction lies left of some
     contact segment through it: three lines or more, or two with segments in both directions.
 
 The *key* of a parameter n / d is (n << bits) // d, with enough bits that different parameters of
-one line have different keys. So keys are in the order of the parameters.
+one line have different keys. So keys have the order of the parameters.
 """
 
 from __future__ import annotations
@@ -32,13 +32,7 @@ TwoSidedPiece = tuple[LatticeLine, HomogeneousPoint, HomogeneousPoint]
 
 
 class Pieces(NamedTuple):
-    """The pieces that crossings leave, by (2).
-
-    Attributes:
-        one_sided: the pieces with overlap on one side.
-        two_sided: the pieces with overlap on both sides.
-        meetings: the points that may be single free positions, by (3).
-    """
+    """The remaining pieces by (2), and the points that may be single free positions by (3)."""
 
     one_sided: list[OneSidedPiece]
     two_sided: list[TwoSidedPiece]
@@ -48,7 +42,7 @@ class Pieces(NamedTuple):
 def cut(segments: Sequence[ContactSegment]) -> Pieces:
     """Cut segments at their crossings, and drop pieces in O, by (1).
 
-    Cost: that of `find_near`, and O(c log c) for c crossings.
+    Cost: that of `find_near`, plus O(c log c) for c crossings.
     """
     pieces = Pieces([], [], set())
     bits = measure_keys(segments)
@@ -67,13 +61,13 @@ def cut(segments: Sequence[ContactSegment]) -> Pieces:
 
 
 def measure_keys(segments: Sequence[ContactSegment]) -> int:
-    """Compute the keys of the ends of segments; return the bits of keys."""
+    """Compute the keys of the ends of segments; return the number of bits of keys."""
     longest = at_ends = 1
     for segment in segments:
         dx, dy, _ = segment.line
         longest |= dx | abs(dy)
         at_ends |= segment.low[1] | segment.high[1]
-    # Crossings have denominators of at most 2 longest^2.
+    # Denominators of crossings are at most 2 longest^2.
     bits = 2 * max(1 + 2 * longest.bit_length(), at_ends.bit_length())
     for segment in segments:
         (n, d), (m, e) = segment.low, segment.high
@@ -82,10 +76,7 @@ def measure_keys(segments: Sequence[ContactSegment]) -> int:
 
 
 def cross(first: ContactSegment, second: ContactSegment, bits: int) -> None:
-    """Record in two segments where they cross, and on which sides overlap passes there.
-
-    Parallel segments do not cross. Cost: O(1).
-    """
+    """Record a crossing in both segments, with the sides on which overlap passes there."""
     (adx, ady, ac), (bdx, bdy, bc) = first.line, second.line
     d = adx * bdy - ady * bdx
     if d == 0:
@@ -119,7 +110,7 @@ def cross(first: ContactSegment, second: ContactSegment, bits: int) -> None:
 def _find_left_over(
     segment: ContactSegment, meetings: set[HomogeneousPoint]
 ) -> list[tuple[HomogeneousPoint, HomogeneousPoint]]:
-    """Return the ends of the pieces that (1) leaves, and add points to the meetings, by (3)."""
+    """Return the ends of the pieces that remain by (1), and add points to the meetings by (3)."""
     line, is_two_sided = segment.line, segment.sides == BOTH
     start, (covered, end_covered), (at, end) = segment.low, segment.covered, segment.keys
     left: list[tuple[Parameter, Parameter]] = []

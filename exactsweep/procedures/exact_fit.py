@@ -1,8 +1,9 @@
-"""Exact fits: slots of D exactly as wide as G.
+"""Exact fits of monotone pairs, in slots of D exactly as wide as G.
 
-In an exact fit G touches D without overlap, but every neighbourhood has positions with overlap on
-both sides. Such positions are not on the boundary of the no-fit polygon, a regular set.
-Definition 1.1 requires only contact and disjoint interiors. From below, at x0, the heights are
+In an exact fit, G touches D without overlap, but a shift to either side causes overlap. Such
+positions are not on the boundary of the no-fit polygon, which is a regular set; but they satisfy
+Definition 1.1, which requires only contact and disjoint interiors. From below, at x0, the heights
+are
 
     max(T(x0-), T(x0+))  <  y  <=  least limit of D_b(a) - G_t(a - x0) over the open common x-range.
 
@@ -25,11 +26,10 @@ from exactsweep.procedures.chain import Chain, inverse
 def find_exact_fits(
     generatrix: Chain, directrix: Chain, trajectory: Chain
 ) -> list[tuple[Vertex, Vertex]]:
-    """Find the exact fits of G_t from below in D_b, by x.
+    """Find the exact fits of G_t from below in D_b, by x, for reversed G_t and D_b.
 
-    Each is a pair: the end on the trajectory, the end inside the slot. The chains are reversed G_t
-    and D_b. Cost: O(d g) for d and g discontinuities, and for each x0 at which two pairs meet the
-    number of overlapping edges.
+    Each is a pair: the end on the trajectory, the end inside the slot. Cost: O(d g) for d and g
+    discontinuities, plus the number of overlapping edges at each x0 at which two pairs meet.
 
     >>> from exactsweep.procedures.cm import trajectory_cm
     >>> slot = Chain.of([(0, 0), (1, 0), (1, 2), (2, 2), (2, 0), (3, 0)])

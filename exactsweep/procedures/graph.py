@@ -1,7 +1,7 @@
 """Piecewise linear functions of x, and their lower envelopes (Section 5.1, Appendix).
 
-Lemma A.3 lets the partial trajectory and the next subtrajectory meet in a point or in a segment.
-With vertical edges in D_b they may also pass each other without meeting, where one of them ends:
+By Lemma A.3, the partial trajectory and the next subtrajectory meet in a point or in a segment.
+If D_b has vertical edges, they may also pass each other without meeting, where one of them ends:
 the envelope then jumps.
 
 Erratum. Section 5.1 claims that the envelope of N segments has O(N) pieces. It can have order N
@@ -47,7 +47,7 @@ class Graph:
 
     Attributes:
         breaks: the breaks, ascending.
-        pieces: item k holds from break k to break k + 1. At a jump the lower limit counts.
+        pieces: piece k extends from break k to break k + 1. At a jump the lower limit counts.
     """
 
     def __init__(self, breaks: list[Break], pieces: list[Piece]) -> None:
@@ -79,7 +79,7 @@ class Graph:
 
 
 def find_piece(graph: Graph, at: Break) -> int:
-    """Return the number of the piece that holds right of a break; -1 left of the graph."""
+    """Return the index of the piece right of a break; -1 left of the graph."""
     return bisect_left(graph.breaks, True, key=lambda other: precedes(at, other)) - 1
 
 
@@ -99,17 +99,17 @@ def find_crossing(a: int, b: int) -> Break:
 # The walk goes from right to left, from the lesser right end of P and S. Before each round, with x
 # the lesser right end of P_i and S_j,
 #
-#     (1)  right of x, P is above S as far as both reach.
+#     (1)  right of x, P is above S wherever both are defined.
 #
 # Let x' be the greater left end of P_i and S_j.
 #
 #     (2)  P_i <= S_j at x: S takes over at x. P has a step there, or the walk has just begun.
 #     (3)  P_i < S_j at x': S takes over where the two lines cross.
-#     (4)  P_i >= S_j at x': (1) holds for x'. The edges that begin at x' are done with. If all of S
-#          is done with, S takes over at x'; if all of P is, S takes the place of P.
+#     (4)  P_i >= S_j at x': (1) holds for x', and the walk passes the edges that begin at x'. At
+#          the end of S, S takes over at x'; at the end of P, S replaces P.
 #
-# If S ends at or left of the place where it takes over, P stays as it is. Otherwise P loses all
-# right of that place, even if S ends before P (see `mm`).
+# If S takes over at or right of its right end, P is unchanged. Otherwise S replaces everything in P
+# right of that point, even if S ends before P (see `mm`).
 
 
 def lower_envelope_cm(partial: Graph, piece: Graph) -> Graph:
@@ -118,10 +118,10 @@ def lower_envelope_cm(partial: Graph, piece: Graph) -> Graph:
     Procedure LowerEnvelope_CM. "We traverse the subtrajectory from right to left. In the beginning,
     T_{i-1} appears above T(G_t, D_i), and then the intersection is detected by a switch in this
     vertical relationship." They cross at most once, and the subtrajectory is lower on the right
-    (Lemma A.3). Without irrelevant edges it may begin right of T_{i-1}: it is appended. It may also
-    end first: then the walk begins at its end.
+    (Lemma A.3). Without its irrelevant edges, it may begin right of T_{i-1}: it is appended. It may
+    also end first: the walk begins at its end.
 
-    Cost: O(edges of the piece + edges trimmed off), and O(log n) if the piece ends first.
+    Cost: O(edges of the piece + edges trimmed off), plus O(log n) if the piece ends first.
     """
     edges, breaks, others, ends = partial.pieces, partial.breaks, piece.pieces, piece.breaks
     if precedes(breaks[-1], ends[0]):
@@ -160,10 +160,10 @@ def lower_envelope_cm(partial: Graph, piece: Graph) -> Graph:
 def lower_envelope_mm(graphs: Sequence[Graph]) -> Graph:
     """Return the lower envelope of subtrajectories, by divide and conquer (Section 5.1).
 
-    Procedure LowerEnvelope_MM. Between graphs that do not overlap the envelope has a `GAP`.
+    Procedure LowerEnvelope_MM. Between graphs that do not overlap, the envelope has a `GAP`.
 
-    Cost: O(N log k) for k graphs. N is the largest total size on a level of the recursion, at most
-    alpha(k) times the size of the input.
+    Cost: O(N log k) for k graphs, where N, the largest total size on a level of the recursion, is
+    at most alpha(k) times the size of the input.
 
     >>> rising = Graph([(0, 1), (2, 1)], [(1, 1, 0, ((0, 0, 1), 0, 0), ((2, 2, 1), 1, 0))])
     >>> falling = Graph([(0, 1), (2, 1)], [(1, -1, 2, ((0, 2, 1), 1, 0), ((2, 0, 1), 2, 0))])
@@ -176,19 +176,19 @@ def lower_envelope_mm(graphs: Sequence[Graph]) -> Graph:
     return merge(lower_envelope_mm(graphs[:half]), lower_envelope_mm(graphs[half:]))
 
 
-# The merge of P and Q, P beginning first, walks along both in vertical sync. Their breaks cut the
-# common x-range into intervals, over each of which both are lines. Before each round,
+# The merge of P and Q, where P begins first, walks along both in sync. Their breaks cut the common
+# x-range into intervals over which both are lines. Before each round,
 #
 #     (1)  the envelope is complete left of x; its last piece ends at its last break, x.
 #
 # Let [x, end] be the next interval, and s and e the height of P above Q at x and at end.
 #
-#     (2)  s < 0, or s = 0 and e <= 0: P is the lower one right of x; else Q is. On one line,
-#          s = e = 0, and the choice does not matter.
+#     (2)  s < 0, or s = 0 and e <= 0: P is lower right of x; otherwise Q is. On one line, s = e =
+#          0, and either may be chosen.
 #     (3)  s and e have opposite signs: the lines cross in between, and the other one takes over.
-#     (4)  The last piece goes on if it is the lower one again.
+#     (4)  The last piece continues if it is the lower one again.
 #
-# Left of the common x-range the envelope is P, and right of it the one that goes on.
+# The envelope is P left of the common x-range, and the graph that continues right of it.
 
 
 def merge(first: Graph, second: Graph) -> Graph:

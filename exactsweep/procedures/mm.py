@@ -1,7 +1,7 @@
 """The MM sweep: monotone generatrix, monotone directrix (Section 5).
 
-G_t is split into convex parts, too. Each part gives a CM sweep, and the trajectory is the lower
-envelope of the results (Lemma 5.1). Both loops are trajectories of the inverse generatrix, along
+G_t is split into convex parts, too. Each part yields a CM sweep, and the trajectory is the lower
+envelope of the results (Lemma 5.1). Both loops are trajectories of the inverse generatrix along
 the two sides of the first trajectory (Lemma 5.3).
 
 Errata. Lemma 5.3: along the inner side, I(G) must stay inside T, and the x-range of I(G) within
@@ -12,8 +12,8 @@ inner boundary can have order m n^2 edges, not O(m n): near a needle of D_b it h
 every pair of a peak and a valley of G_t.
 
 The inner boundary R(x) = max over u of T(u) + G_t(x - u) (Lemma 5.3) is nowhere above D_b, since
-T(u) <= D_b(x) - G_t(x - u), with equality where G touches D_b. So R is computed in the undercuts
-only: the faster algorithm that the paper mentions after Corollary 5.8.
+T(u) <= D_b(x) - G_t(x - u), with equality where G touches D_b. So R is computed only in the
+undercuts: the faster algorithm that the paper mentions after Corollary 5.8.
 """
 
 from __future__ import annotations
@@ -23,28 +23,28 @@ from itertools import pairwise
 
 from exactsweep.numbers.number import ratio
 
-# The pruning step. Without it: from exactsweep.procedures.cc import subtrajectories
+# To disable pruning: from exactsweep.procedures.cc import subtrajectories
 from exactsweep.procedures.ceiling import subtrajectories
 from exactsweep.procedures.chain import Chain, partition, precedes
 from exactsweep.procedures.cm import Untouched, close, find_touched
 from exactsweep.procedures.graph import Graph, Ranges, lower_envelope_cm, lower_envelope_mm
 
-# A row, the subtrajectories of one part, has relevant edges only, and lacks what is pruned. Let E
-# be the envelope of all pairs, P the partial trajectory, s_k the whole sum of the part and D_k.
+# A row, the subtrajectories of one part, lacks irrelevant edges and pruned sums. Let E be the
+# envelope of all pairs, P the partial trajectory, and s_k the whole sum of the part and D_k.
 #
 #     (1)  P is on E wherever one of its members is on E.
 #
-# Let LowerEnvelope_CM put s_k in the place of P right of x, where P is not below s_k: there s_k is
-# on E where P was. So P may lose all of it, also where the edges of s_k are irrelevant, so that s_k
-# is not on E. Left of x, some whole sum s_j, j < k, is nowhere above s_k (Lemma A.3). Where s_k is
-# on E there, s_j is, too, and by (1) so is P. So the lowest of all rows is E.
+# Let LowerEnvelope_CM replace P by s_k right of x, where P is not below s_k: wherever P was on E
+# there, s_k is. So P may lose all of it, even where the edges of s_k are irrelevant and s_k is not
+# on E. Left of x, some whole sum s_j, j < k, is nowhere above s_k (Lemma A.3). Where s_k is on E
+# there, so is s_j, and by (1) so is P. So the lower envelope of all rows is E.
 
 
 def trajectory_mm(generatrix: Chain, directrix: Chain, ranges: Ranges | None = None) -> Graph:
-    """Trajectory T(G_t, D_b) of a monotone top chain along a monotone bottom chain.
+    """Compute the trajectory T(G_t, D_b) of a monotone top chain along a monotone bottom chain.
 
-    Procedure Trajectory_MM, for reversed G_t and D_b. With `ranges`, disjoint x-ranges, the result
-    is valid over these only. Cost: O(m n log n).
+    Procedure Trajectory_MM, for reversed G_t and D_b. If disjoint x-ranges (`ranges`) are given,
+    the result is valid only over these. Cost: O(m n log n).
 
     >>> peak = Chain.of([(0, 0), (1, 1), (2, 0)])
     >>> list(trajectory_mm(Chain.of([(-2, -1), (-1, 0), (0, -1)]), peak))
@@ -60,7 +60,7 @@ def trajectory_mm(generatrix: Chain, directrix: Chain, ranges: Ranges | None = N
 
 
 def sweep_mm(generatrix: Chain, bottom: Chain, directrix: Chain) -> tuple[Chain, Chain]:
-    """Inner and outer boundary of the sweep of a monotone G along a monotone D_b.
+    """Compute the inner and the outer boundary of the sweep of a monotone G along a monotone D_b.
 
     Procedure Sweep_MM, for reversed G_t, G_b and D_b. Cost: O(m n^2 log n).
 
@@ -79,20 +79,20 @@ def sweep_mm(generatrix: Chain, bottom: Chain, directrix: Chain) -> tuple[Chain,
 
 
 def sweep_outer_mm(bottom: Chain, path: Chain) -> Graph:
-    """Outer boundary T(I(G), T): I(G) slides along the outside of T (Lemma 5.3).
+    """Compute the outer boundary T(I(G), T): I(G) slides along the outside of T (Lemma 5.3).
 
-    `bottom`, G_b, is reversed the top chain of I(G). Cost: O(t n log n) for t edges of T.
+    `bottom` (G_b) is the reversed top chain of I(G). Cost: O(t n log n) for t edges of T.
     """
     return trajectory_mm(bottom, path)
 
 
 def sweep_inner_mm(generatrix: Chain, directrix: Chain, trajectory: Graph, path: Chain) -> Chain:
-    """Inner boundary T(I(G), -T): I(G) slides along the inside of T (Lemma 5.3).
+    """Compute the inner boundary T(I(G), -T): I(G) slides along the inside of T (Lemma 5.3).
 
     After a half turn, G_t slides along the complement of T. `path` is T as a chain.
 
-    Cost: O(t log t) to find the undercuts, and O(t' n log n) for the t' edges of T along which G is
-    over an undercut; all t of them at worst.
+    Cost: O(t log t) to find the undercuts, and O(t' n log n) for the t' <= t edges of T along which
+    G is over an undercut.
     """
     undercuts = find_untouched(generatrix, directrix, trajectory)
     if not undercuts:
@@ -106,8 +106,7 @@ def sweep_inner_mm(generatrix: Chain, directrix: Chain, trajectory: Graph, path:
 def find_untouched(generatrix: Chain, directrix: Chain, trajectory: Graph) -> list[Untouched]:
     """Find x-ranges of D_b, from left to right, that contain all points that G does not touch.
 
-    They are the undercuts, and parts of D_b that G touches only where another piece of T hides the
-    contact.
+    They include parts of D_b whose contacts are hidden by another piece of T.
     """
     touched = [
         (*find_touched(generatrix, directrix, piece, start, end), piece)

@@ -1,9 +1,9 @@
 """Monotone pairs: the lower and the upper half of a sweep, by section (Theorems 2.1 and 2.2).
 
 The lower sweep (G_t, D_b) and the upper sweep (G_b, D_t) are independent. The upper sweep is the
-lower sweep of both polygons after a half turn. So a polygon is two bottom chains: its own, and the
-inverse of its top chain. Every CC sweep is a CM sweep, and every CM sweep an MM sweep; each class
-has the procedures of its own section.
+lower sweep of both polygons after a half turn. So a polygon is stored as two bottom chains: its
+own, and the inverse of its top chain. Each class uses the procedures of its own section, although
+every CC sweep is a CM sweep, and every CM sweep an MM sweep.
 """
 
 from __future__ import annotations
@@ -99,12 +99,12 @@ class LowerCC(LowerMM):
 
 
 _TURN_BACK: tuple[Callable[[Sequence[Vertex]], list[Vertex]], ...] = (list, inverse)
-"""Functions that turn points of the lower sweep and of the upper one back to the frame."""
+"""Functions that map points of the lower and of the upper sweep back to the frame."""
 
 
 @lru_cache(512)
 def split_polygon(lattice: Lattice, frame: Frame) -> tuple[Chain, Chain]:
-    """Split a monotone polygon: the bottom chain, and the inverse of the top chain, in a frame.
+    """Return the bottom chain of a monotone polygon, and the inverse of its top chain, in a frame.
 
     Chains are cached, because nesting sweeps each part around many others.
     """
@@ -113,9 +113,9 @@ def split_polygon(lattice: Lattice, frame: Frame) -> tuple[Chain, Chain]:
 
 
 class MonotoneSolution:
-    """The loops and exact fits of a monotone pair (G, D), by the paper's procedures.
+    """The canonical loops and exact fits of a monotone pair (G, D), computed on first access.
 
-    Each is computed on first access. Positions are those of G's origin. Loops are canonical.
+    Positions are those of G's origin.
     """
 
     holes: Sequence[list[Point]] = ()
@@ -176,7 +176,7 @@ class MonotoneSolution:
 
     @cached_property
     def fits(self) -> list[Fit]:
-        """The exact fits, in slots of D that are exactly as wide as G."""
+        """The exact fits."""
         found: list[Fit] = []
         for half, turn_back in zip(self.halves, _TURN_BACK, strict=True):
             for fit in find_exact_fits(half.generatrix, half.directrix, half.path):

@@ -1,15 +1,15 @@
-"""The pruning step for thin shapes: adjacent edges that prove ends of segments to be in O.
+"""The pruning step for thin shapes, in which adjacent edges prove ends of segments to be in O.
 
 Let a be an edge of D, v a vertex of H, and c and c' the two edges after v. For any edge p of D and
-any edge q of H, O holds the inside of the parallelogram p + q: there p crosses an edge of G.
+any edge q of H, O contains the interior of the parallelogram p + q: there p crosses an edge of G.
 
-(1) If c' crosses the line through v along a, in v + w, the inside of a + c' holds a + v, except for
-    the part from which w leads out of a.
-(2) If the edge b before a ends in a reflex vertex, and c leads to the right of b, then the inside
-    of b + c holds the first part of a + v.
+(1) If c' crosses the line through v along a, in v + w, the interior of a + c' contains a + v,
+    except for the part from which w leads out of a.
+(2) If the edge b before a ends in a reflex vertex, and c leads to the right of b, the interior of
+    b + c contains the first part of a + v.
 
-The edges before v and after a serve likewise. Ends are rounded outwards to ints, so numbers stay
-short.
+The same holds for the edges before v and after a. Ends are rounded outwards to ints, so numbers
+stay short.
 """
 
 from __future__ import annotations

@@ -1,8 +1,8 @@
 """Undercuts: the regions between D and the inner loop (Section 4, Figure 7).
 
-Both boundaries are cut where they meet. The boundary of an undercut has one piece of the loop, its
-bottom chain; the rest belongs to D, traversed backwards. D is connected, so there is only one such
-piece.
+Both boundaries are cut where they meet. The boundary of an undercut contains one piece of the loop,
+its bottom chain; the rest belongs to D, traversed backwards. There is only one such piece, because
+D is connected.
 """
 
 from __future__ import annotations
@@ -27,9 +27,8 @@ class Pocket(NamedTuple):
 def find_pockets(loop: Sequence[Vertex], directrix: Sequence[Vertex]) -> list[Pocket]:
     """Find the regions between D and the inner loop around it, both counter-clockwise.
 
-    The undercuts come in the order of their bottom chains along the loop. Regions that share only a
-    point or a vertical edge are separate. Cost: O(s + m) for s edges of the loop and m of D, and
-    that of `EdgeIndex.near`.
+    They follow the order of their bottom chains along the loop. Regions that share only a point or
+    a vertical edge are separate. Cost: that of `EdgeIndex.near` for each edge of the loop.
 
     >>> roof = [(0, 0), (3, 0), (3, 3), (2, 1), (1, 3), (0, 3)]
     >>> find_pockets([(0, 0), (3, 0), (3, 3), (0, 3)], roof)
@@ -41,7 +40,7 @@ def find_pockets(loop: Sequence[Vertex], directrix: Sequence[Vertex]) -> list[Po
     for a, b in _list_edges(loop):
         (left, right), (low, high) = (sorted(pair) for pair in zip(a, b, strict=True))
         for _, _, _, _, px, py, qx, qy, _, _ in index.near((left, right, low, high)):
-            # A reversed edge that runs along the other one touches it and does not overlap it.
+            # An edge reversed relative to the other touches it without overlap.
             points = touch(a, b, (qx, qy), (px, py)) or []
             shared[a, b].update(points)
             shared[(px, py), (qx, qy)].update(points)

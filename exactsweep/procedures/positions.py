@@ -1,20 +1,20 @@
-"""No-fit polygons, inner fits, free positions and sums with paths, for shapes of any kind.
+"""No-fit polygons, inner fits, free positions and sums with paths, for any shapes.
 
 The paper does not treat this case (kind "SS"). All of these are the free positions of a part among
-obstacles: contact segments (`segments`), without what the two pruning steps drop (`neighbours`,
-`cover`), cut where they cross (`crossings`), joined to loops and exact fits (`walk`) by an exact
-overlap test (`geometry.overlap`).
+obstacles. Contact segments (`segments`) are pruned (`neighbours`, `cover`), cut where they cross
+(`crossings`), and joined to loops and exact fits (`walk`) by an exact overlap test
+(`geometry.overlap`).
 
 With several obstacles or moving shapes, O is the union of the open sets O_k = int D_i + int H_j of
 all pairs. The numbered statements of the modules hold for such a union:
 
-(1) A boundary point of the union is one of some O_k, so it lies on a contact segment of its pair,
-    and just to the left of such a segment lies O_k.
+(1) A boundary point of the union is a boundary point of some O_k, so it lies on a contact segment
+    of that pair, with O_k just to the left.
 (2) Around a single free position, open sectors of the O_k cover all directions. A sector starts
     along a contact segment that leaves the position, or against one that ends there. Two lines that
-    do not both have segments in both directions give too few starts.
+    do not both have segments in both directions are too few starts.
 
-The outside of a container is an obstacle, as a frame around it, and so is each of its defects.
+The obstacles of an inner fit are a frame around the container, and each of its defects.
 """
 
 from __future__ import annotations
@@ -53,8 +53,8 @@ def find_no_fit(stationary: Rings, orbiting: Rings, scale: int = 1) -> Free:
 
     Rings have the interior on the left. Positions of G's origin are divided by the scale.
 
-    Cost: O(k log k + c + q m n) for k contact segments, c crossings, and q overlap tests of loops
-    and exact fits. k <= 2 m n and c <= k^2; real outlines have few of both.
+    Cost: O(k log k + c + q m n) for k <= 2 m n contact segments, c <= k^2 crossings, and q overlap
+    tests of loops and exact fits. Real outlines have few of both.
 
     >>> square = [[(0, 0), (1, 0), (1, 1), (0, 1)]]
     >>> [(int(x), int(y)) for x, y in find_no_fit(square, square).around[0]]
@@ -66,8 +66,8 @@ def find_no_fit(stationary: Rings, orbiting: Rings, scale: int = 1) -> Free:
 def find_sum(stationary: Rings, moving: Rings, scale: int = 1) -> Free:
     """Find the boundary of the sum of two shapes, or of a shape and a path.
 
-    The exact fits are positions in the closed sum, but not in the sum of the interiors. A path has
-    the rings that `path_rings` returns. Scale and cost are as for `find_no_fit`.
+    The exact fits are points of the closed sum that are not in the sum of the interiors. A path has
+    the rings of `path_rings`. Scale and cost are those of `find_no_fit`.
 
     >>> square, path = [[(0, 0), (1, 0), (1, 1), (0, 1)]], path_rings([(0, 0), (2, 1)])
     >>> [(int(x), int(y)) for x, y in find_sum(square, path).around[0]]
@@ -83,10 +83,10 @@ def find_sum(stationary: Rings, moving: Rings, scale: int = 1) -> Free:
 def find_no_fit_union(
     stationary: Sequence[Rings], orbiting: Sequence[Rings], scale: int = 1
 ) -> FreeRegions:
-    """Find the positions where any of the orbiting shapes overlaps any of the stationary ones.
+    """Find the positions where any orbiting shape overlaps any stationary one; all move together.
 
-    Each region bounds one component of the positions of overlap, with their exact fits inside. All
-    orbiting shapes move together. Scale and cost are as for `find_no_fit`, with all pairs.
+    Each region bounds one component of the positions of overlap, with their exact fits inside.
+    Scale and cost are those of `find_no_fit`, for all pairs.
 
     >>> one, other = [[(0, 0), (1, 0), (1, 1), (0, 1)]], [[(3, 0), (4, 0), (4, 1), (3, 1)]]
     >>> found = find_no_fit_union([one, other], [one]).regions
@@ -110,7 +110,7 @@ def find_inner_fit(
     """Find the positions of a part inside a container, free of placed shapes.
 
     Attached shapes move with the part. Defects are clockwise holes of the container. Scale and cost
-    are as for `find_no_fit`, where k counts contact segments near the room of the part only.
+    are those of `find_no_fit`, with only the contact segments near the room of the part.
 
     >>> square, unit = [[(0, 0), (3, 0), (3, 1), (0, 1)]], [[(0, 0), (1, 0), (1, 1), (0, 1)]]
     >>> [tuple(int(c) for p in fit for c in p) for fit in find_inner_fit(square, unit).fits]
@@ -119,7 +119,7 @@ def find_inner_fit(
     (west, east, south, north) = EdgeIndex(container).box
     moving = [reflect(rings) for rings in (part, *attached)]
     left, right, low, high = EdgeIndex([*part, *chain.from_iterable(attached)]).box
-    # The box of the part is in that of the container at positions in this room only.
+    # The container's box encloses the part's box only at positions in this room.
     room = west - left, east - right, south - low, north - high
     if room[0] > room[1] or room[2] > room[3]:
         return FreeRegions([], [])
@@ -139,7 +139,7 @@ def _nest(exteriors: list[list[Point]], holes: list[list[Point]], fits: list[Fit
     exteriors = sorted(exteriors, key=find_doubled_area)
     inside: list[list[list[Point]]] = [[] for _ in exteriors]
     for loop in holes:
-        # No exterior crosses another one or the loop. The smallest one around the loop holds it.
+        # Exteriors cross neither each other nor the loop, so the smallest one around it is its own.
         shape, area = EdgeIndex([loop]), find_doubled_area(loop)
         inside[
             next(
@@ -153,7 +153,7 @@ def _nest(exteriors: list[list[Point]], holes: list[list[Point]], fits: list[Fit
 
 
 def path_rings(points: Sequence[Vertex], *, closed: bool = False) -> list[list[Vertex]]:
-    """Return the rings of a path of two points or more: forth and back."""
+    """Return the rings of a path of two points or more, which run forth and back."""
     return [[*points], [*points[::-1]]] if closed else [[*points, *points[-2:0:-1]]]
 
 
@@ -173,7 +173,7 @@ def _prepare(
     def overlaps(position: HomogeneousPoint) -> bool:
         for k, pair in enumerate(pairs):
             if relate(*pair, *position) is Relation.OVERLAP:
-                # The pair that overlapped last is likely to do so again.
+                # The last pair to overlap is likely to overlap again.
                 pairs.insert(0, pairs.pop(k))
                 return True
         return False

@@ -9,11 +9,11 @@ the edge lies between the directions of the two edges at the vertex, or equals o
     edge separates their cones, and the vertex of the cone beyond that line is convex. If rings of
     one shape touch there, the cones of the other shape lie in one gap between its cones, because
     connected interiors cannot pass each other, and the vertex of that gap counts.
-(2) Just to the left of each inner point of a contact segment, the positions overlap: the vertex has
-    crossed the edge there.
+(2) The positions just to the left of each inner point of a contact segment have overlap: there the
+    vertex has crossed the edge.
 
-A path may replace H or D: one ring that runs forth and back, or two rings if it is closed. At its
-ends the direction reverses, which counts as convex. Its interior is the path itself.
+A path may replace H or D, as one ring that runs forth and back, or as two rings if it is closed.
+Its reversals at the ends count as convex vertices. Its interior is the path itself.
 
 Source: the reduced convolution of Behar and Lien, "Fast and robust 2D Minkowski sum using reduced
 convolution", IROS 2011, which excludes the ends of the ranges of directions.
@@ -46,8 +46,8 @@ NEITHER: Sides = False, False
 BOTH: Sides = True, True
 
 Cut = tuple[int, int, int, bool, bool, Sides]
-"""A crossing: the key of its parameter, the parameter; whether overlap passes through the crossing
-on the side of the other segment before it, and after it; the sides of the other segment."""
+"""A crossing: the key of its parameter; the parameter; whether overlap passes through the crossing
+on the other segment's side before it, and after it; the sides of the other segment."""
 
 
 Adjacent = tuple[int, int, int, int, int]
@@ -58,7 +58,7 @@ EdgeFeature = tuple[int, int, int, Rational, Rational, bool, Adjacent]
 the line; the adjacent edges."""
 
 LeaveOut = Callable[[Sequence[EdgeFeature], Sequence[Vertex], int], Sequence[EdgeFeature]]
-"""A pruning step: of the edges that vertex k of a ring faces, it returns the parts to keep."""
+"""A pruning step, which returns the parts to keep of the edges that vertex k of a ring faces."""
 
 
 @dataclass(eq=False)
@@ -69,9 +69,8 @@ class ContactSegment:
         low, high: the parameters of the ends.
         sides: the sides of the line with overlap, by (2).
         low_sides, high_sides: the sides on which overlap passes through the ends.
-        covered: whether the segment was cut at its low end, and at its high end, with overlap
-            inside.
-        cuts: the crossings with other segments, and `keys`, those of the ends; see `crossings`.
+        covered: whether pruning cut the segment at its low end, and at its high end.
+        cuts, keys: the crossings with other segments, and the keys of the ends; see `crossings`.
     """
 
     line: LatticeLine
@@ -112,7 +111,7 @@ def find_contact_segments(
     """Find the contact segments of two shapes, joined along each line.
 
     The rings are those of D and of H = I(G); `leave_out` returns the parts of facing edges that may
-    bound a free region. Cost: O(k log k + (m + n) log(m + n)) for k contact segments; k <= 2 m n.
+    bound a free region. Cost: O(k log k + (m + n) log(m + n)) for k <= 2 m n contact segments.
     """
     shapes = [[_list_edges(ring) for ring in rings] for rings in (stationary, moving)]
     angle, full_turn = _measure_angles(
@@ -178,8 +177,8 @@ def _scale(bx: Rational, by: Rational, ax: Rational, ay: Rational) -> Adjacent:
 
 
 def _measure_angles(edges: Sequence[EdgeFeature]) -> tuple[Callable[[EdgeFeature], int], int]:
-    """Return a function that maps edges to ints by angle, from straight down, and a full turn."""
-    # Slopes of different directions differ by at least a unit.
+    """Return a map from edges to ints by angle from straight down, and the int of a full turn."""
+    # Different slopes differ by at least a unit.
     bits = 2 * max(edge[0] for edge in edges).bit_length()
     vertical = (1 + max(abs(edge[1]) for edge in edges)) << bits
 
@@ -192,7 +191,7 @@ def _measure_angles(edges: Sequence[EdgeFeature]) -> tuple[Callable[[EdgeFeature
 
 
 def _find_convex_vertices(angles: Sequence[int], full_turn: int) -> Iterator[tuple[int, int, int]]:
-    """Yield the convex vertices by number, with the angles of the edges before and after them."""
+    """Yield the indices of convex vertices, with the angles of the edges before and after them."""
     for k, (first, last) in enumerate(zip(angles, [*angles[1:], angles[0]], strict=True)):
         if last < first:
             last += full_turn
@@ -214,7 +213,7 @@ def _join(
     count = [0, 0]
     segment: ContactSegment | None = None
     for place, group in groupby(sorted(events), key=itemgetter(0)):
-        # Segments end before others start. (2) does not hold at a place where none passes through.
+        # Process ends before starts: (2) does not hold at a point that no segment passes through.
         here = list(group)
         for _, starts, ahead in here:
             count[ahead] -= not starts

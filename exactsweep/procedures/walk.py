@@ -1,8 +1,8 @@
 """Loops and exact fits, traced along the pieces of contact segments between crossings.
 
-(1) Let a piece bound a free region. The next piece of the boundary is the first one counter-
-    clockwise from the reverse direction, and no crossing proves that it is in O. So if a walk does
-    not close, all of its pieces are in O. If it closes, one test decides the whole loop.
+(1) If a piece bounds a free region, the next piece of the boundary is the first one
+    counter-clockwise from the reverse direction, and no crossing proves it to be in O. So if a walk
+    does not close, all of its pieces are in O. If it closes, one test decides the whole loop.
 """
 
 from __future__ import annotations
@@ -19,11 +19,11 @@ from exactsweep.procedures.crossings import HomogeneousPoint, OneSidedPiece, Pie
 
 PieceRing = Sequence[OneSidedPiece]
 Test = Callable[[HomogeneousPoint], bool]
-"""Decides whether a position is in O; the position need not be reduced."""
+"""A test whether a position, reduced or not, is in O."""
 
 
 class Free(NamedTuple):
-    """The boundary of the free positions, and the exact fits; loops are canonical.
+    """The boundary of the free positions as canonical loops, and the exact fits.
 
     Attributes:
         around: the loops around overlap.
@@ -48,10 +48,10 @@ def find_free(
 
     `overlaps` decides whether a position is in O; all coordinates are divided by the scale. With
     `around_overlap`, loops that meet in a point are split so that each bounds one component of O,
-    not one of the free positions.
+    otherwise of the free positions.
 
-    Cost: O(k) for k pieces, and one test for each closed walk, for each piece with overlap on both
-    sides, and for each meeting.
+    Cost: O(k) for k pieces, plus one test for each closed walk, each two-sided piece and each
+    meeting.
     """
     overlaps = cache(overlaps)
     rings = list(_walk_rings(pieces.one_sided, overlaps))
