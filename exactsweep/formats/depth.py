@@ -215,7 +215,7 @@ def _nest(rings: Sequence[Polygon | None]) -> _Nesting:
     order = sorted(polygons, key=lambda k: (-polygons[k].area, k))
     _, points = common_lattice([polygons[k] for k in order])
     shapes = dict(zip(order, points, strict=True))
-    boxes = [_bound(ring) for ring in points]
+    boxes = [*map(bound_ring, points)]
     rows = BoxRows(boxes)
     parents: dict[int, int | None] = {}
     crossings: dict[int, tuple[int, int]] = {}
@@ -251,7 +251,8 @@ def _list_parents(k: int, parents: Mapping[int, int | None]) -> Iterator[int]:
         parent = parents[parent]
 
 
-def _bound(ring: Sequence[Vertex]) -> Bounds:
+def bound_ring(ring: Sequence[Vertex]) -> Bounds:
+    """Return the box of a ring."""
     xs, ys = zip(*ring, strict=True)
     return min(xs), max(xs), min(ys), max(ys)
 

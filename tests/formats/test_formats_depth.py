@@ -147,7 +147,8 @@ def test_other_outlines_on_the_layer_of_the_sheet_are_defects() -> None:
     text = on_layers(layer("sheet", SHEET, (8, 8, 11, 11)), layer("cut", (*PART, 'id="p"')))
     (layout,) = parse_layouts(text)
     assert [one["exterior"][0] for one in layout.data["defects"]] == [["8", "8"]]
-    assert "1 outline on the layer of the container read as defects" in layout.notes
+    place = "on the layer or in the group of the container"
+    assert f"1 outline {place} read as a defect" in layout.notes
 
 
 def test_several_sheets_are_several_layouts() -> None:
@@ -206,3 +207,43 @@ def test_a_container_drawn_twice_is_one(name: str) -> None:
 def test_a_part_as_large_as_the_container_is_a_part() -> None:
     (found,) = parse_layouts(on_layers(layer("sheet", SHEET), layer("cut", SHEET)))
     assert len(found.data["parts"]) == 1
+
+
+NOTCHED = "0,0 4,0 2,2 4,4 0,4", "0,0 4,0 4,4 2,2 0,4"
+
+
+@pytest.mark.parametrize(
+    "other",
+    [
+        f'<polygon points="{NOTCHED[1]}"/>',
+        '<path fill-rule="evenodd" d="M0 0L4 0L2 2L4 4L0 4zM.5 1h1v1h-1z"/>',
+    ],
+    ids=["same corners", "with a hole"],
+)
+def test_another_shape_with_the_vertices_of_the_container_is_no_copy(other: str) -> None:
+    part = '<rect x="0.1" y="1" width="0.1" height="0.1"/>'
+    text = f'<svg><polygon points="{NOTCHED[0]}"/>{other}{part}</svg>'
+    (found,) = parse_layouts(text, container="0")
+    assert not any("duplicate" in note for note in found.notes)
+    assert {*NOTCHED[0].split()} <= {
+        ",".join(vertex) for one in found.data["parts"] for vertex in one["exterior"]
+    }
+    with pytest.raises(FormatError, match="no outline is around all others"):
+        parse_layouts(text)
+
+
+@pytest.mark.parametrize(
+    "around",
+    [
+        '<rect x="1" y="1" width="8" height="8"/><rect x="2" y="2" width="6" height="6"/>',
+        '<path fill-rule="evenodd" d="M1 1h8v8h-8zM2 2h6v6h-6z"/>',
+    ],
+    ids=["two outlines", "one path"],
+)
+def test_an_open_shape_in_a_hole_may_be_a_part(around: str) -> None:
+    sheet = '<rect width="20" height="20"/>'
+    drawing = f'<svg>{sheet}{around}<polyline fill="none" points="%s"/></svg>'
+    (found,) = parse_layouts(drawing % "1.2,3 1.5,4 1.2,5")
+    assert found.unchecked == ("1 open shape on parts (line 1)",)
+    with pytest.raises(FormatError, match=r"open end at \(3,3\)"):
+        parse_layouts(drawing % "3,3 5,3 5,5 3,5 3,3.1")

@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Sequence
 from fractions import Fraction
+from itertools import pairwise
 from typing import NamedTuple
 
 from exactsweep.formats.candidate import Candidate
@@ -13,6 +14,7 @@ from exactsweep.formats.decimals import show_number
 from exactsweep.formats.depth import tell_place
 from exactsweep.formats.error import FormatError
 from exactsweep.numbers.error import quote
+from exactsweep.numbers.number import Point
 
 _WORDS = re.compile(r"(sheet|bin|board|container|stock)s?(?:[\W_]*\d+)?", re.IGNORECASE)
 _LISTED = 4
@@ -151,8 +153,15 @@ def _find_around(outlines: Iterable[Candidate], boxes: dict[int, _Spread]) -> Ca
 
 
 def _is_copy(one: Candidate, other: Candidate) -> bool:
-    """Decide whether two outlines have one layer and the same vertices."""
-    return one.layer == other.layer and {*one.vertices()} == {*other.vertices()}
+    """Decide whether two outlines have the same layer, edges and error."""
+    alike = one.layer == other.layer and one.error == other.error
+    return alike and _list_edges(one) == _list_edges(other)
+
+
+def _list_edges(outline: Candidate) -> set[frozenset[Point]]:
+    rings = [ring.vertices() for ring in (outline, *outline.holes())]
+    edges = (frozenset(edge) for ring in rings for edge in pairwise((*ring, ring[0])))
+    return {edge for edge in edges if len(edge) == 2}
 
 
 def _meet(one: _Spread, other: _Spread) -> bool:

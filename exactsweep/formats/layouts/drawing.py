@@ -10,7 +10,13 @@ from functools import partial
 from typing import Literal
 
 from exactsweep.formats.candidate import Candidate
-from exactsweep.formats.depth import Nested, nest_outlines, tell_ambiguity, tell_place
+from exactsweep.formats.depth import (
+    Nested,
+    bound_ring,
+    nest_outlines,
+    tell_ambiguity,
+    tell_place,
+)
 from exactsweep.formats.error import FormatError
 from exactsweep.formats.folder import make_unique
 from exactsweep.formats.layers import get_layer, tell_layer
@@ -22,6 +28,7 @@ from exactsweep.formats.part_list import Said
 from exactsweep.formats.reading import UNITS, Reading
 from exactsweep.geometry.canonical import PolygonError, find_doubled_area
 from exactsweep.geometry.edges import is_inside
+from exactsweep.geometry.near import BoxRows
 from exactsweep.numbers.number import Point
 from exactsweep.words import count
 
@@ -64,16 +71,21 @@ def draw_layouts(
     sheets = (
         [Sheet(None, [], outlines, [])] if container is False else find_sheets(outlines, container)
     )
-    unchecked = _list_open(plain, [one for sheet in sheets for one in sheet.outlines])
+    is_nested = reading.nested is not False
+    nests = [
+        nest_outlines(sheet.outlines) if is_nested else Nested(sheet.outlines, [], [], [])
+        for sheet in sheets
+    ]
+    unchecked = _list_open(plain, [part for found in nests for part in found.outlines])
     if all(not sheet.outlines for sheet in sheets):
         raise FormatError("only one outline found; a layout needs a container and parts")
     # Pixels are what SVG has where it states no unit.
     sizes = {size: name for name, size in UNITS.items() if name != "px"}
     unit = sizes.get(drawn.coordinates.unit or Fraction(0), "")
     found = []
-    for k, sheet in enumerate(sheets):
+    for k, (sheet, nest) in enumerate(zip(sheets, nests, strict=True)):
         name = f"sheet {k}" if len(sheets) > 1 else ""
-        layout = _make_layout(sheet, nested=reading.nested is not False)
+        layout = _make_layout(sheet, nest)
         found.append(
             layout._replace(
                 name=name,
@@ -88,19 +100,23 @@ def draw_layouts(
 def _list_open(outlines: Sequence[Candidate], parts: Sequence[Candidate]) -> list[str]:
     """Name the open shapes that are engraving, and no part of an outline.
 
-    Engraving is on a layer without closed outlines, or all of its points are on one part.
+    Engraving is on a layer without closed outlines, or all of its points are on one part, outside
+    its holes.
 
     Raises:
         FormatError: another shape is open: without it the layout might be wrong.
     """
     layers = {one.layer for one in outlines if not one.fault}
-    rings = [one.vertices() for one in parts]
+    shapes = [[ring.vertices() for ring in (one, *one.holes())] for one in parts]
+    rows = BoxRows([bound_ring(rings[0]) for rings in shapes])
     left, engraved = Counter[str | None](), list[str]()
     for one in (one for one in outlines if one.fault):
         layer = get_layer(one)
         if one.layer not in layers:
             left[one.layer] += 1
-        elif one.points and any(_is_on(one.points, ring) for ring in rings):
+        elif one.points and any(
+            _is_on(one.points, shapes[k]) for k in rows.find(bound_ring(one.points))
+        ):
             engraved.append(one.fault)
         else:
             hint = "" if layer is None else f" (--ignore-layer {layer} skips its layer)"
@@ -116,28 +132,22 @@ def _list_open(outlines: Sequence[Candidate], parts: Sequence[Candidate]) -> lis
     return said
 
 
-def _is_on(points: Sequence[Point], ring: Sequence[Point]) -> bool:
-    """Decide whether all points are inside a ring; an outline of its own is elsewhere."""
-    return all(is_inside(point, [ring]) for point in points)
+def _is_on(points: Sequence[Point], rings: Sequence[Sequence[Point]]) -> bool:
+    """Decide whether all points are inside a shape; an outline of its own is elsewhere."""
+    return all(is_inside(point, rings) for point in points)
 
 
-def _make_layout(sheet: Sheet, *, nested: bool) -> FoundLayout:
-    notes: list[str] = []
-    unchecked: list[str] = []
-    parts = sheet.outlines
-    if nested:
-        found = nest_outlines(parts)
-        parts = found.outlines
-        notes += _tell_holes(found)
-        unchecked += [
-            f"{tell_ambiguity(outline, around)} (skipped)" for outline, around in found.ambiguous
-        ]
-        unchecked += _find_lookalikes(found)
-        unchecked += _find_artwork(found)
+def _make_layout(sheet: Sheet, found: Nested) -> FoundLayout:
+    parts, notes = found.outlines, _tell_holes(found)
+    unchecked = [
+        f"{tell_ambiguity(outline, around)} (skipped)" for outline, around in found.ambiguous
+    ]
+    unchecked += _find_lookalikes(found) + _find_artwork(found)
     if sheet.defects:
-        notes.append(
-            f"{count(len(sheet.defects), 'outline')} on the layer of the container read as defects"
-        )
+        number = len(sheet.defects)
+        read = "read as a defect" if number == 1 else "read as defects"
+        where = "on the layer or in the group of the container"
+        notes.append(f"{count(number, 'outline')} {where} {read}")
     if sheet.copies:
         notes.append(f"skipped: {count(len(sheet.copies), 'duplicate')} of the container")
     names = make_unique([_name_part(one, k) for k, one in enumerate(parts)])
