@@ -23,8 +23,8 @@ from enum import Enum
 
 from exactsweep.geometry.edges import BoxedEdge, EdgeIndex, Rings
 from exactsweep.geometry.near import Bounds
-from exactsweep.geometry.vectors import cross, minus, orientation
-from exactsweep.numbers.number import Rational, Vertex
+from exactsweep.geometry.vectors import minus, orientation
+from exactsweep.numbers.number import Edge, Rational, Vertex
 
 _EdgeCone = tuple[Vertex, Vertex]
 """The rays that leave and arrive at a point of a boundary."""
@@ -81,15 +81,12 @@ def _find_cones(
     has_path = shape.is_path or part.is_path
     x, y, scale = position
     x0, x1, y0, y1 = x // scale, -(-x // scale), y // scale, -(-y // scale)
-    left, right, low, high = box
-    others = part.near((left - x1, right - x0, low - y1, high - y0))
-    moved = [_move(edge, x, y, scale) for edge in others]
-    for edge in shape.near(box) if others else ():
-        left, right, low, high, p, q = _move(edge, 0, 0, scale)
-        dx, dy, c = q[0] - p[0], q[1] - p[1], cross(q, p)
-        for (west, east, south, north, a, b), other in zip(moved, others, strict=True):
-            if west > right or east < left or south > high or north < low:
-                continue
+    for edge in shape.near(box):
+        p, q = _move(edge, 0, 0, scale)
+        (px, py), (qx, qy) = p, q
+        dx, dy, c = qx - px, qy - py, qx * py - qy * px
+        for other in part.near((edge[0] - x1, edge[1] - x0, edge[2] - y1, edge[3] - y0)):
+            a, b = _move(other, x, y, scale)
             of_a, of_b = dx * a[1] - dy * a[0] - c, dx * b[1] - dy * b[0] - c
             if (of_a > 0 < of_b) or (of_a < 0 > of_b):
                 continue
@@ -123,13 +120,10 @@ def _find_cones(
     return cones
 
 
-def _move(
-    edge: BoxedEdge, x: Rational, y: Rational, scale: int
-) -> tuple[Rational, Rational, Rational, Rational, Vertex, Vertex]:
-    """Return the box and the ends of an edge on the lattice of a position."""
-    left, right, low, high, ax, ay, bx, by, _, _ = edge
-    box = left * scale + x, right * scale + x, low * scale + y, high * scale + y
-    return *box, (ax * scale + x, ay * scale + y), (bx * scale + x, by * scale + y)
+def _move(edge: BoxedEdge, x: Rational, y: Rational, scale: int) -> Edge:
+    """Return an edge on the lattice of a position."""
+    _, _, _, _, ax, ay, bx, by, _, _ = edge
+    return (ax * scale + x, ay * scale + y), (bx * scale + x, by * scale + y)
 
 
 def _find_cone(z: Vertex, p: Vertex, q: Vertex, r: Vertex) -> _EdgeCone:
@@ -149,9 +143,9 @@ def _cones_meet(ours: Iterable[_EdgeCone], others: Iterable[_EdgeCone]) -> bool:
 
 def _is_in_cone(ray: Vertex, cone: _EdgeCone) -> bool:
     """Decide whether a ray is strictly inside a cone."""
-    leaving, arriving = cone
-    after, before = cross(leaving, ray) > 0, cross(ray, arriving) > 0
-    return (after and before) if cross(leaving, arriving) >= 0 else (after or before)
+    (x, y), ((ux, uy), (vx, vy)) = ray, cone
+    after, before = ux * y > uy * x, x * vy > y * vx
+    return (after and before) if ux * vy >= uy * vx else (after or before)
 
 
 def find_outside(ring: Sequence[Vertex], room: Bounds) -> Rings:

@@ -4,7 +4,7 @@ from collections import Counter
 from collections.abc import Collection, Sequence
 from fractions import Fraction
 from itertools import product
-from math import ceil, floor, lcm
+from math import ceil, cos, floor, lcm, pi, sin
 from random import Random
 
 import pytest
@@ -18,6 +18,7 @@ from exactsweep.corpus.generator.cells import Cell, grow
 from exactsweep.geometry.edges import EdgeIndex, Rings, is_inside, touch
 from exactsweep.geometry.overlap import Relation, contains, find_outside, relate
 from exactsweep.numbers.number import Rational, Vertex
+from exactsweep.paper.counting import make_counted, watch_operations
 
 Pair = tuple[EdgeIndex, EdgeIndex]
 
@@ -254,3 +255,23 @@ def test_a_path_overlaps_where_it_is_inside() -> None:
         ring = [*path, *path[-2:0:-1]]
         assert relation(pair_of(SQUARE, [ring]), ORIGIN) is expected, path
         assert relation(pair_of([ring], SQUARE), ORIGIN) is expected, path
+
+
+def gear(teeth: int, radius: int) -> list[Vertex]:
+    ring: list[Vertex] = []
+    for k in range(2 * teeth):
+        angle, reach = pi * k / teeth, radius + 100 * (k % 2)
+        ring.append((round(reach * cos(angle)), round(reach * sin(angle))))
+    return ring
+
+
+def test_operations_grow_with_the_edges_that_are_near() -> None:
+    counts = []
+    for teeth in (100, 400):
+        square: list[Vertex] = [(-2000, -2000), (2000, -2000), (2000, 2000), (-2000, 2000)]
+        rings = [square, gear(teeth, 1000)[::-1], gear(teeth, 850)]
+        around, hole, wheel = [make_counted(ring) for ring in rings]
+        with watch_operations() as tally:
+            assert relate(EdgeIndex([around, hole]), EdgeIndex([wheel])) is Relation.APART
+        counts.append(tally.total)
+    assert counts[1] < 8 * counts[0], counts
