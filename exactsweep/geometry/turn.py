@@ -16,6 +16,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property, lru_cache
 from math import isqrt, lcm
+from threading import Lock
 from typing import NamedTuple
 
 from exactsweep.geometry.reading import read_point
@@ -31,6 +32,9 @@ MAX_TURN_BITS = 100_000
 
 _ZERO, _ONE = Fraction(0), Fraction(1)
 _QUARTERS = ((_ONE, _ZERO), (_ZERO, _ONE), (-_ONE, _ZERO), (_ZERO, -_ONE))
+
+# All threads share the constants that mpmath caches, in two steps each.
+_mpmath_lock = Lock()
 
 
 class RationalTurn(NamedTuple):
@@ -162,18 +166,29 @@ def bound_half_tangent(degrees: Fraction, bits: int) -> tuple[Fraction, Fraction
     >>> 3 * low**2 < 1 < 3 * high**2, high - low < Fraction(1, 512)
     (True, True)
     """
-    from mpmath import iv
+    from mpmath.ctx_iv import MPIntervalContext
     from mpmath.libmp import to_rational
 
-    before = iv.prec
-    try:
+    with _mpmath_lock:
+        # `mpmath.iv` has one precision for all threads.
+        iv = MPIntervalContext()
         iv.prec = bits + 64
         angle = iv.pi * iv.mpf(degrees.numerator) / (180 * iv.mpf(degrees.denominator))
         low, high = (
             Fraction(*map(int, to_rational(end)))
             for end in (iv.sin(angle) / (1 + iv.cos(angle)))._mpi_
         )
-    finally:
-        iv.prec = before
     assert 2**bits * (high - low) < 1
     return low, high
+
+
+def find_pi(bits: int) -> Fraction:
+    """Find pi, with an error of at most 2**-bits.
+
+    >>> abs(find_pi(20) - Fraction(355, 113)) < Fraction(1, 10**6)
+    True
+    """
+    from mpmath.libmp import mpf_pi, to_rational
+
+    with _mpmath_lock:
+        return Fraction(*map(int, to_rational(mpf_pi(bits + 3))))

@@ -1,11 +1,15 @@
 """Answers that several threads read at once: results computed twice are equal."""
 
+import sys
 from concurrent.futures import ThreadPoolExecutor
+from fractions import Fraction
 from threading import Barrier
 
+import mpmath
 import pytest
 
 from exactsweep import Sweep, no_fit_polygon, sweep
+from exactsweep.geometry.turn import bound_half_tangent, find_pi
 
 HOOK = [(0, 0), (3, 0), (3, 3), (0, 3), (0, 2), (2, 2), (2, 1), (0, 1)]
 HOUSE = [(0, 0), (2, 0), (2, 1), (1, 2), (0, 1)]
@@ -65,3 +69,19 @@ def test_threads_may_share_polygons() -> None:
     with ThreadPoolExecutor(4) as pool:
         found = [*pool.map(lambda _: no_fit_polygon(n.stationary, n.orbiting).exterior, range(8))]
     assert {*found} == {n.exterior}
+
+
+def test_threads_may_rotate_with_different_precisions() -> None:
+    def bound(k: int) -> tuple[Fraction, ...]:
+        bits = 4000 if k % 2 else 8
+        return (*bound_half_tangent(Fraction(k % 89 + 1), bits), find_pi(bits))
+
+    before, interval = mpmath.iv.prec, sys.getswitchinterval()
+    expected = [*map(bound, range(300))]
+    sys.setswitchinterval(1e-6)
+    try:
+        with ThreadPoolExecutor(4) as pool:
+            assert [*pool.map(bound, range(300))] == expected
+    finally:
+        sys.setswitchinterval(interval)
+    assert mpmath.iv.prec == before

@@ -7,14 +7,13 @@ interval arithmetic proves.
 from __future__ import annotations
 
 from fractions import Fraction
-from functools import cache
 from math import pi
 
 from exactsweep.formats.curved.affine import Affine, make_affine
 from exactsweep.formats.curved.curves import Arc
 from exactsweep.formats.curved.path import Path
 from exactsweep.formats.error import FormatError
-from exactsweep.geometry.turn import bound_half_tangent, from_half_tangent
+from exactsweep.geometry.turn import bound_half_tangent, find_pi, from_half_tangent
 from exactsweep.numbers.number import Point
 
 _DIGITS, _ROOM = 101, 20
@@ -70,17 +69,7 @@ def to_degrees(radians: Fraction) -> Fraction:
         raise FormatError(f"an angle beyond {_MAX_TURN} radians")
     digits = _DIGITS
     while True:
-        degrees = round(radians * 180 / _find_pi(digits), digits)
+        degrees = round(radians * 180 / find_pi(4 * (digits + _ROOM)), digits)
         if degrees % 90 or not radians:
             return degrees
         digits *= 2
-
-
-@cache
-def _find_pi(digits: int) -> Fraction:
-    """Return pi with guard digits."""
-    from mpmath import mp
-    from mpmath.libmp import to_rational
-
-    with mp.workdps(digits + _ROOM):
-        return Fraction(*map(int, to_rational((+mp.pi)._mpf_)))
