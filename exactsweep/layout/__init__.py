@@ -1,4 +1,4 @@
-"""Exact judgements of layouts: parts placed in a container."""
+"""Exact judging of layouts: parts placed in a container."""
 
 from exactsweep.layout.fault import Fault
 from exactsweep.layout.judge import Judgement, judge_layout

@@ -1,4 +1,4 @@
-"""The solids of a layout: placed parts, the outside and the defects, in the needed precision."""
+"""The solids of a layout: placed parts, the outside and the defects, at any precision."""
 
 from __future__ import annotations
 
@@ -44,7 +44,7 @@ class Board:
         layout: a Layout.
 
     Attributes:
-        placed: the numbers of the placements of simple parts.
+        placed: the indices of the placements of simple parts.
     """
 
     def __init__(self, layout: Layout) -> None:
@@ -56,20 +56,20 @@ class Board:
         self._forms: dict[tuple[str, Turn, bool, int, int], LatticeForm | RoundedForm] = {}
 
     def turned(self, k: int, bits: int = TURN_BITS) -> Region:
-        """Return the part of a placement, mirrored and turned by a rational turn, not moved.
+        """Return the part of a placement, mirrored and rotated, but not translated.
 
-        A rounded part is a polygon around it; see `surround`.
+        A rounded part is approximated from outside; see `surround`.
         """
         placement = self.layout.placements[k]
         return to_region(self._shapes[placement.part])._image(AffineMap(*placement.rows(bits)))
 
     def is_rounded(self, placements: Sequence[int]) -> bool:
-        """Decide whether a placement is rounded, or a single one is to be clear of what is."""
+        """Return whether a placement, or for a single one any obstacle, is rounded."""
         solids = [*map(self.solid, placements), *(self.around if len(placements) < 2 else ())]
         return is_rounded(*solids)
 
     def _turn(self, k: int, bits: int) -> tuple[int, MatrixRows]:
-        """Return the linear map of a placement as ints with a common denominator."""
+        """Return the linear map of a placement: a common denominator and int rows."""
         rows = self.layout.placements[k].rows(bits)
         denominator = lcm(*(number.denominator for number in rows))
         a, b, c, d = (put_on_lattice(number, denominator) for number in rows)
@@ -77,7 +77,7 @@ class Board:
 
     @cached_property
     def _scale(self) -> int | None:
-        """Return the scale of the lattice that all solids share, if there is one."""
+        """The scale of a lattice for all solids; None if it would be too fine."""
         layout, placements = self.layout, self.layout.placements
         kinds = {(placements[k].part, placements[k].turn): k for k in self.placed}
         scales = {
@@ -119,7 +119,7 @@ class Board:
             by = scale // (own * denominator)
             form = self._forms[key] = base.mapped((a * by, b * by, c * by, d * by))
         if shared is None:
-            # Moves may have other denominators.
+            # Translations may have other denominators.
             finer = lcm_within((scale, x.denominator, y.denominator)) or scale
             form, scale = form.scaled(finer // scale), finer
         slack = error = self.layout.part_by_id[part].error
@@ -130,7 +130,7 @@ class Board:
 
     @cached_property
     def frame(self) -> tuple[int, int, int, int]:
-        """A rectangle with room around everything: left, low, right, high."""
+        """A rectangle around everything, with room to spare: left, low, right, high."""
         xs, ys = [0], [0]
         shapes: list[Region | RoundedPiece] = []
         for one in self.layout.defects:
@@ -151,30 +151,30 @@ class Board:
             ys += (bottom // scale, -(-top // scale))
             if solid.slack:
                 slack = max(slack, solid.slack)
-        # A more precise turn may err to the other side.
+        # A more precise rotation may err in the opposite direction.
         room = ceil(self.layout.margin + self.layout.error + 2 * slack) + _ROOM
         return min(xs) - room, min(ys) - room, max(xs) + room, max(ys) + room
 
     @cached_property
     def around(self) -> list[Solid]:
-        """The outside of the container in the frame, if there is one, and each defect."""
+        """The outside of the container, if there is one, and the defects."""
         return [*self._find_outside(), *self._find_defects()]
 
     def required(self, wall: int) -> Fraction:
-        """Return the minimum allowed distance of parts from an item of `around`."""
+        """Return the required distance of parts from an item of `around`."""
         number = wall - self.first_defect - len(self.holes)
         own = self.layout.defects[number].spacing if number >= 0 else None
         return self.layout.margin if own is None else own
 
     @cached_property
     def greatest_margin(self) -> Fraction:
-        """The greatest of the distances that `required` returns."""
+        """The greatest result of `required`."""
         spacings = [one.spacing for one in self.layout.defects if one.spacing is not None]
         return max([self.layout.margin, *spacings])
 
     @property
     def first_defect(self) -> int:
-        """The number of the first defect in `around`."""
+        """The index of the first defect in `around`."""
         return 0 if self.layout.container is None else 1
 
     @property
@@ -185,7 +185,7 @@ class Board:
 
     @property
     def is_open(self) -> bool:
-        """Whether no solid is the outside of a container, or it has no pieces."""
+        """Whether the outside has no convex pieces: without a container, or with a rounded one."""
         return not isinstance(self.layout.container, Region)
 
     def _find_outside(self) -> Iterator[Solid]:
@@ -218,7 +218,7 @@ class Board:
 
     @cached_property
     def _room(self) -> LatticeBox | None:
-        """The box of a rectangular container without the margin, in which parts are inside."""
+        """The box of a rectangular container, shrunk by the margin; None for other containers."""
         container = self.layout.container
         if not isinstance(container, Region) or self._scale is None or len(container.exterior) > 4:
             return None
@@ -234,7 +234,7 @@ class Board:
         )
 
     def is_clear(self, k: int) -> bool:
-        """Decide from its box alone whether a part keeps the margin inside the container."""
+        """Return whether the box of a part alone proves that it keeps the margin."""
         if self._room is None or self._scale is None:
             return False
         left, right, low, high = _enlarge(self.solid(k), self._scale)
@@ -243,7 +243,7 @@ class Board:
 
     @cached_property
     def grain(self) -> Fraction:
-        """The least width or height of a placed part; 1 if there is none."""
+        """The minimum width or height of a placed part; 1 if there is none."""
         sizes = [
             Fraction(min(right - left, high - low)) / solid.scale
             for solid in map(self.solid, self.placed)
@@ -253,18 +253,18 @@ class Board:
 
     @cached_property
     def unit(self) -> int:
-        """The scale for comparisons of boxes: that of the lattice, or a fine one."""
+        """The scale for comparing boxes."""
         return self._scale or ceil(1024 / self.grain)
 
     def list_near(self, reach: Fraction) -> Iterator[tuple[int, int]]:
-        """Find the pairs of placements whose boxes are within reach in both coordinates."""
+        """Yield the pairs of placements whose boxes are within reach in both coordinates."""
         placed, unit = self.placed, self.unit
         boxes = [_enlarge(self.solid(k), unit) for k in placed]
         for k, j in find_near(boxes, ceil(reach * unit)):
             yield placed[k], placed[j]
 
     def list_neighbors(self, k: int, reach: Fraction) -> list[int]:
-        """List the placements whose boxes are within reach of one in both coordinates."""
+        """List the placements whose boxes are within reach of placement k in both coordinates."""
         unit, room = self.unit, ceil(reach * self.unit)
         left, right, low, high = _enlarge(self.solid(k), unit)
         found = []
@@ -276,7 +276,7 @@ class Board:
         return found
 
     def find_defects(self, reach: Fraction) -> dict[int, list[int]]:
-        """Find for each placement the defects, as in `around`, whose boxes are within reach."""
+        """Return the indices in `around` of the defects within reach of each placement."""
         placed, unit, first = self.placed, self.unit, self.first_defect
         solids = *map(self.solid, placed), *self.around[first:]
         boxes = [_enlarge(solid, unit) for solid in solids]
@@ -287,14 +287,14 @@ class Board:
         return {k: sorted(walls) for k, walls in found.items()}
 
     def find_walls(self) -> Iterator[tuple[int, list[int]]]:
-        """Find for each placement all of `around` that may be nearer than required."""
+        """Yield each placement with the items of `around` that may be nearer than required."""
         outside = range(self.first_defect)
         for k, defects in self.find_defects(self.greatest_margin).items():
             yield k, defects if self.is_clear(k) else [*outside, *defects]
 
 
 def _enlarge(solid: Solid, unit: int) -> LatticeBox:
-    """Return the box of a solid in a unit, enlarged by its slack."""
+    """Return the box of a solid at a scale, enlarged by its slack."""
     left, right, low, high = solid.box
     if solid.scale == unit and not solid.slack:
         return left, right, low, high

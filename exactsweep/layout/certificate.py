@@ -1,7 +1,7 @@
-"""Certificates of layouts, as `check/CERTIFICATES.md` describes them.
+"""Certificates of layouts; see `check/CERTIFICATES.md`.
 
-A valid layout has a proof: convex pieces, and a normal for each pair of pieces whose boxes are not
-far enough apart. Otherwise each fault has the point that proves it.
+The proof of a valid layout has convex pieces, and a separating normal for each pair of pieces whose
+boxes are too close. The proof of a fault is a point.
 """
 
 from __future__ import annotations
@@ -31,22 +31,22 @@ from exactsweep.numbers.number import Point
 _PieceRings = list[list[Point]] | None
 
 _LEAST = 3
-"""The least number of vertices of a ring in a certificate."""
+"""Minimum number of vertices of a ring in a certificate."""
 
 
 def write_certificate(board: Board, faults: Sequence[Fault]) -> dict[str, Any]:
-    """Write the certificate of a layout as plain JSON data.
+    """Return the certificate of a layout as plain JSON data.
 
     Raises:
-        LayoutError: no fault has a proof, because all are undecided, or rings that only touch
-            themselves or each other; or a ring has fewer than three vertices.
+        LayoutError: no fault has a proof, because all are undecided or due to rings that only
+            touch; or a ring has fewer than three vertices.
 
-    Cost: O(k) searches for a normal, for k pairs of pieces whose boxes are not far enough apart.
+    Cost: one search for a normal for each pair of pieces whose boxes are too close.
     """
     parts = (part for part in board.layout.parts if not part.pieces)
     rings = (ring for part in parts for ring in (part.exterior, *part.holes))
     if any(len(drop_repeated(ring)) < _LEAST for ring in rings):
-        raise LayoutError("a ring has fewer than three vertices: no certificate can list it")
+        raise LayoutError("a ring has fewer than three vertices, so there is no certificate")
     bits = TURN_BITS
     while True:
         found = _prove_faults(board, faults, bits) if faults else _prove_valid(board, bits)
@@ -68,7 +68,7 @@ def write_certificate(board: Board, faults: Sequence[Fault]) -> dict[str, Any]:
 
 
 def _prove_valid(board: Board, bits: int) -> dict[str, Any] | None:
-    """Find the pieces and normals; None if the turns are not near enough."""
+    """Find the pieces and normals; return None if the rotations are not precise enough."""
     apart: list[list[Any]] = []
     for entry in chain(_part_placements(board, bits), _part_obstacles(board, bits)):
         if entry is None:
@@ -85,7 +85,7 @@ def _prove_valid(board: Board, bits: int) -> dict[str, Any] | None:
 
 
 def _part_placements(board: Board, bits: int) -> Iterator[list[Any] | None]:
-    """Make an entry for each near pair of placements, or for each near pair of their pieces."""
+    """Yield an entry for each near pair of placements, or for each near pair of their pieces."""
     spacing = board.layout.spacing
     for k, j in board.list_near(spacing):
         a, b = share_scale(board.solid(k, bits), board.solid(j, bits))
@@ -103,7 +103,7 @@ def _part_placements(board: Board, bits: int) -> Iterator[list[Any] | None]:
 
 
 def _part_obstacles(board: Board, bits: int) -> Iterator[list[Any] | None]:
-    """Make an entry for each piece of an obstacle and each near piece of a placement."""
+    """Yield an entry for each piece of an obstacle and each near piece of a placement."""
     names = _name_obstacles(board)
     for k, defects in board.find_defects(board.greatest_margin).items():
         outside = () if board.is_open else (0,)
@@ -116,9 +116,9 @@ def _part_obstacles(board: Board, bits: int) -> Iterator[list[Any] | None]:
 
 
 def _name_obstacles(board: Board) -> list[tuple[int, int]]:
-    """Return for each obstacle its number in certificates, and that of its first piece.
+    """Return the number of each obstacle in certificates, and the index of its first piece.
 
-    The outside of the container, with its holes, is -1, and defect k is -2 - k.
+    The outside of the container, including its holes, is -1; defect k is -2 - k.
     """
     number = _count_outside(board)
     counts = (len(wall.form.pieces) for wall in board.around[: number - 1])
@@ -127,14 +127,14 @@ def _name_obstacles(board: Board) -> list[tuple[int, int]]:
 
 
 def _count_outside(board: Board) -> int:
-    """Count the obstacles that are the outside of the container: without and in its holes."""
+    """Count the obstacles outside the container: its exterior and its holes."""
     return board.first_defect + len(board.holes)
 
 
 def _part_pieces(
     a: Solid, b: Solid, distance: Fraction
 ) -> Iterator[tuple[int, int, IntVertex | None]]:
-    """Find the pairs of pieces that need a normal, with the normal, if there is one."""
+    """Yield the pairs of pieces that need a normal, with the normal if found."""
     theirs = [
         (h, piece, radius, box)
         for h, (piece, radius) in enumerate(b.rounded)
@@ -164,7 +164,7 @@ def _are_apart(one: LatticeBox, other: LatticeBox, distance: Fraction) -> bool:
 
 
 def _prove_faults(board: Board, faults: Sequence[Fault], bits: int) -> list[dict[str, Any]] | None:
-    """Find the point that proves each fault; None if the turns are not near enough for one."""
+    """Find a point for each fault; return None if the rotations are not precise enough."""
     proved: list[dict[str, Any]] = []
     for fault in faults:
         if fault.kind in ("missing", "surplus", "turn", "mirror"):
@@ -179,7 +179,6 @@ def _prove_faults(board: Board, faults: Sequence[Fault], bits: int) -> list[dict
         elif fault.kind != "undecided":
             point = _find_point(board, fault, bits)
             if point is not None:
-                # The outside of the container, its holes included, is -1; defect k is -2 - k.
                 first = _count_outside(board)
                 wall = -1 if fault.wall < first else first - fault.wall - 2
                 bodies = [*fault.placements, wall][:2]
@@ -190,7 +189,7 @@ def _prove_faults(board: Board, faults: Sequence[Fault], bits: int) -> list[dict
 
 
 def _find_point(board: Board, fault: Fault, bits: int) -> Point | None:
-    """Find a point inside both solids of a fault, or halfway between two that are too close."""
+    """Find a point inside both solids of a fault, or midway between two that are too close."""
     a, b = fault.find_pair(bits)
     if fault.kind == "too close":
         assert fault.required is not None
@@ -211,7 +210,7 @@ def _find_point(board: Board, fault: Fault, bits: int) -> Point | None:
 
 
 def _list_outside(board: Board) -> list[_PieceRings]:
-    """List the pieces of the complement of the container, and those of each defect."""
+    """List the pieces outside the container, and those of each defect."""
     number = _count_outside(board)
     pieces = [_leave(wall.form, wall.scale) for wall in board.around]
     outside = [piece for wall in pieces[:number] for piece in wall or ()]
@@ -219,7 +218,7 @@ def _list_outside(board: Board) -> list[_PieceRings]:
 
 
 def _leave(form: LatticeForm | RoundedForm, scale: int) -> _PieceRings:
-    """Return the pieces of a polygon; the layout itself has those of a rounded form."""
+    """Return the pieces of a polygon; None for a rounded form, whose pieces are in the layout."""
     if not isinstance(form, LatticeForm):
         return None
     return [[Point(Fraction(x) / scale, Fraction(y) / scale) for x, y in p] for p in form.pieces]

@@ -1,7 +1,7 @@
-"""The clearance of two solids, at least one rounded: their distance, or minus their depth.
+"""The clearance of two solids, at least one of them rounded: their distance, or minus the depth.
 
-It is the minimum over pairs of pieces, d - r - s by (1) and (2) of `rounded`; pieces of polygons
-are hulls of radius 0. The squared distance of hulls is rational, so all comparisons are exact.
+It is the minimum of d - r - s over pairs of pieces, by (1) and (2) of `rounded`; polygon pieces
+have radius 0. The squared distance of hulls is rational, so all comparisons are exact.
 """
 
 from __future__ import annotations
@@ -26,9 +26,9 @@ class Clearance(NamedTuple):
 
     Attributes:
         square: d^2, or -d^2 if d is negative.
-        radius: r, the sum of both radii; for the outside of a rounded container the difference.
+        radius: r, the sum of both radii, or for the outside of a rounded container the difference.
         hulls: the distance of the hulls, on the lattice.
-        pieces: the numbers of the pieces.
+        pieces: the indices of the pieces.
     """
 
     square: Fraction
@@ -37,18 +37,18 @@ class Clearance(NamedTuple):
     pieces: tuple[int, int]
 
     def is_below(self, length: Fraction) -> bool:
-        """Decide whether the clearance is less than a length, which may be negative."""
+        """Return whether the clearance is less than a length, which may be negative."""
         return self.square < sign_square(self.radius + length)
 
     def is_at_most(self, length: Fraction) -> bool:
-        """Decide whether the clearance is at most a length, which may be negative."""
+        """Return whether the clearance is at most a length, which may be negative."""
         return self.square <= sign_square(self.radius + length)
 
     def is_less(self, other: Clearance) -> bool:
-        """Decide exactly whether the clearance is less than another one.
+        """Return whether the clearance is less than another one.
 
-        With d, e signed roots and r the difference of the radii, d - r < e is decided by signs, or
-        by squares: (d - r)^2 = d^2 + r^2 - 2 r d, so that one root is left.
+        For signed roots d and e, and the difference r of the radii, d - r < e is decided by signs
+        or by squares: (d - r)^2 = d^2 + r^2 - 2 r d has only one root.
 
         >>> one, two = (Clearance(*map(Fraction, pair), None, (0, 0)) for pair in ((2, 0), (8, 1)))
         >>> one.is_less(two), two.is_less(one), one.is_less(one)
@@ -62,14 +62,14 @@ class Clearance(NamedTuple):
         goal_sign = (goal > 0) - (goal < 0)
         if sign != goal_sign or not sign:
             return sign < goal_sign
-        # Compare 2 r d with d^2 + r^2 - e^2; both sides as squares with their signs.
+        # Compare the signed squares of 2 r d and d^2 + r^2 - e^2.
         known = abs(self.square) + r * r - abs(goal)
         root = 4 * below * abs(self.square) * (-1 if self.square < 0 else 1)
         difference = sign_square(known)
         return difference < root if sign > 0 else difference > root
 
     def bound(self, *, up: bool, bits: int = _BITS) -> Fraction:
-        """Return the clearance, exactly if it is rational, else rounded by a share below 2**-bits.
+        """Return the clearance, exact if rational, else rounded with relative error below 2**-bits.
 
         >>> Clearance(Fraction(25, 4), Fraction(1), None, (0, 0)).bound(up=True)
         Fraction(3, 2)
@@ -84,16 +84,16 @@ class Clearance(NamedTuple):
 
 
 def is_rounded(*solids: Solid) -> bool:
-    """Decide whether one of some solids is rounded."""
+    """Return whether any solid is rounded."""
     return any(solid.form.is_rounded for solid in solids)
 
 
 def list_clearances(a: Solid, b: Solid, within: Fraction | None) -> Iterator[Clearance]:
-    """List the clearances of pairs of pieces of one lattice that are at most a length, or all.
+    """Yield the clearances of pairs of pieces, if at most `within`; the solids share a lattice.
 
     The second solid may be the outside of a rounded container.
 
-    Cost: O(p q) for the pieces of both, and that of `measure_hulls` for each pair in reach.
+    Cost: O(p q) for p and q pieces, plus `measure_hulls` for each pair within reach.
     """
     scale = a.scale
     reach: Rational | None = None if within is None else within * scale
@@ -117,7 +117,7 @@ def list_clearances(a: Solid, b: Solid, within: Fraction | None) -> Iterator[Cle
 
 
 def _list_outside(a: Solid, b: Solid, reach: Rational | None) -> Iterator[Clearance]:
-    """List the clearances of pieces and the outside of a rounded container, by (3)."""
+    """Yield the clearances between pieces and the outside of a rounded container, by (3)."""
     ((hull, radius),) = b.rounded
     for i, (points, own) in enumerate(a.rounded):
         radii = own - radius
@@ -134,7 +134,7 @@ def _leave(found: HullDistance, radii: Rational, scale: int, pieces: tuple[int, 
 
 
 def find_clearance(a: Solid, b: Solid, within: Fraction | None = None) -> Clearance | None:
-    """Find the clearance of two solids, if it is at most a length; see `list_clearances`."""
+    """Find the clearance of two solids, if it is at most `within`; see `list_clearances`."""
     best: Clearance | None = None
     for one in list_clearances(a, b, within):
         if best is None or one.is_less(best):
@@ -143,7 +143,7 @@ def find_clearance(a: Solid, b: Solid, within: Fraction | None = None) -> Cleara
 
 
 def find_rounded_witness(a: Solid, b: Solid) -> tuple[Point, tuple[int, int]] | None:
-    """Find a point deeper in two solids than their slacks, and its pieces; None if none is found.
+    """Find a point deeper in both solids than their slacks, and its pieces; None if not found.
 
     Cost: that of `list_clearances`.
     """
@@ -180,8 +180,8 @@ def _find_inside(a: Solid, b: Solid, found: Clearance) -> Vertex | None:
 def _find_outside(a: Solid, b: Solid, found: Clearance) -> Vertex | None:
     """Find a point deep in a piece and outside a rounded container.
 
-    From a vertex v with the signed distance s from the hull of the container, walk away from it, in
-    the direction w: after the length t the signed distance is s + t.
+    Walk from a vertex v, at signed distance s from the hull of the container, straight away from
+    the hull in direction w: at distance t from v the signed distance is s + t.
     """
     (i, _), scale, ((hull, further),) = found.pieces, a.scale, b.rounded
     points, radius = a.rounded[i]
@@ -202,7 +202,7 @@ def _find_outside(a: Solid, b: Solid, found: Clearance) -> Vertex | None:
 def _walk(
     v: Vertex, way: Vertex, square: Fraction, least: Rational, room: Rational
 ) -> Iterator[Vertex]:
-    """List points v + t w / |w| with t from least - s to the room; s^2 has the sign of s."""
+    """Yield a point v + t w / |w| with t between least - s and room; `square` is s^2 with sign."""
     (x, y), bits = way, 8
     length = Fraction(x * x + y * y)
     while bits <= 2**13:
@@ -217,7 +217,7 @@ def _walk(
 
 
 def _approach(start: Vertex, goal: Vertex) -> Iterator[Vertex]:
-    """List points from the goal towards the start, each half as far from the start."""
+    """Yield points from the goal toward the start, halving the distance each time."""
     share = Fraction(1)
     for _ in range(_MOST_HALVINGS):
         yield _go(start, goal, share)
@@ -237,7 +237,7 @@ def _measure_point(z: Vertex, hull: Sequence[Vertex]) -> Fraction:
 
 
 def _is_deep(z: Vertex, hull: Sequence[Vertex], room: Rational) -> bool:
-    """Decide whether the signed distance of a point from a hull is below a room."""
+    """Return whether the signed distance of a point from a hull is below `room`."""
     return _measure_point(z, hull) < sign_square(room)
 
 
@@ -247,7 +247,7 @@ def _find_middle(hull: Sequence[Vertex]) -> Vertex:
 
 
 def _find_meeting(one: Sequence[Vertex], other: Sequence[Vertex]) -> Vertex:
-    """Find a common point of two hulls that overlap."""
+    """Find a common point of two overlapping hulls."""
     if len(one) > len(other):
         one, other = other, one
     if len(other) == 2:
@@ -263,7 +263,7 @@ def _find_meeting(one: Sequence[Vertex], other: Sequence[Vertex]) -> Vertex:
 def measure_gap(a: Solid, b: Solid, found: Clearance) -> SquaredDistance:
     """Return the squared distance of two solids that do not overlap, and their nearest points.
 
-    Irrational distances and points are rounded up by a share of at most 2^-64.
+    Irrational values are rounded up, with relative error at most 2^-64.
     """
     (i, j), (x, y) = found.pieces, found.hulls.normal
     length = found.bound(up=True)
@@ -282,7 +282,7 @@ def measure_gap(a: Solid, b: Solid, found: Clearance) -> SquaredDistance:
 
 
 def relate(a: Solid, b: Solid) -> Relation:
-    """Decide whether two solids on a common lattice overlap, touch or are disjoint."""
+    """Return whether two solids on a common lattice overlap, touch or are disjoint."""
     if not is_rounded(a, b):
         return meet(a, b)
     found = find_clearance(a, b, Fraction(0))

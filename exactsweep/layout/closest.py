@@ -18,10 +18,10 @@ class NearestPair(NamedTuple):
     """Two placements whose parts are nearest.
 
     Attributes:
-        square: the squared distance, 0 for parts that touch or overlap; of rounded parts rounded up
-            by a share of at most 2^-63, if their distance is irrational.
-        placements: the numbers of the two placements.
-        points: the nearest point of each part; for parts that overlap, a point inside both.
+        square: the squared distance, 0 for parts that touch or overlap; for rounded parts, rounded
+            up with relative error at most 2^-63 if irrational.
+        placements: the indices of the two placements.
+        points: the nearest point of each part; for overlapping parts, a point inside both.
     """
 
     square: Fraction
@@ -32,10 +32,9 @@ class NearestPair(NamedTuple):
 def find_nearest_pair(board: Board, touching: tuple[int, int] | None) -> NearestPair | None:
     """Find the two nearest placed parts of a board without overlaps; None for fewer than two parts.
 
-    Pairs whose boxes meet come first, then pairs whose boxes are nearer than the best one so far.
-    `touching` are two placements in contact, if there are any.
+    `touching` is a pair of placements in contact, if there is any.
 
-    Cost: that of finding the pairs with near boxes, and of `find_gap` for each.
+    Cost: `find_gap` for each pair with near boxes.
     """
     if any(board.solid(k).form.is_rounded for k in board.placed):
         return _find_rounded(board)
@@ -57,7 +56,7 @@ def find_nearest_pair(board: Board, touching: tuple[int, int] | None) -> Nearest
 def _find_best(
     board: Board, pairs: Iterable[tuple[int, int]], best: NearestPair | None
 ) -> NearestPair:
-    """Find the closest of some pairs; the best known pair if none is closer."""
+    """Find the nearest of some pairs, or `best` if none is nearer."""
     for k, j in pairs:
         if best is not None and best.square == 0:
             break
@@ -70,7 +69,7 @@ def _find_best(
 
 
 def _find_rounded(board: Board) -> NearestPair | None:
-    """Find the two nearest placed parts of a board, of which some are rounded, without overlaps."""
+    """Find the two nearest placed parts of a board with rounded parts."""
     if len(board.placed) < 2:
         return None
     reach, seen = Fraction(0), set[tuple[int, int]]()

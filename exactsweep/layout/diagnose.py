@@ -1,8 +1,7 @@
-"""Other conventions of placements that would explain a layout with many faults.
+"""Search for other conventions of placements that explain a layout with many faults.
 
-Each convention makes another exact layout of the same numbers, and the judge judges it. A
-rotation R about a center c maps P to R (P - c) + c + t. So the layout shifts the part and its move,
-and no angle needs to be rational.
+Each convention yields another exact layout from the same numbers, which is judged. A rotation R
+about a center c maps P to R (P - c) + c + t, so it suffices to shift the part and the translation.
 """
 
 from __future__ import annotations
@@ -21,11 +20,10 @@ from exactsweep.layout.rounded import RoundedPiece
 from exactsweep.numbers.digits import format_fraction
 from exactsweep.numbers.number import ORIGIN, Point
 
-# A diagnosis needs a least number of placements with faults, a least share of them, and not more
-# than can be judged repeatedly. It names a convention that leaves at most a given share of the
-# faults, and at most a given number of conventions.
+# Minimum number and share (1/8) of faulty placements, and their maximum number, which bounds the
+# time; maximum share (1/10) of remaining faults; maximum number of conventions to report.
 _FEW, _SHARE, _MANY, _LEFT, _NAMED = 2, 8, 1000, 10, 3
-# The degrees of a radian, with an error of less than 10**-45.
+# Degrees per radian, with an error below 10**-45.
 _DEGREES = Fraction("57.2957795130823208767981548141051703324054724665643")
 _NEARLY = Fraction(1, 10**4)
 _SCALES = (
@@ -36,20 +34,19 @@ _SCALES = (
 )
 _PLACED = {"overlap", "outside", "undecided"}
 
-# Overlaps this many times smaller than the parts are rounding.
+# Overlaps this many times smaller than the parts are due to rounding.
 _ROUNDING = 10**6
 
 Convention = Callable[[LayoutPart, Placement], tuple[LayoutPart, Placement]]
 
 
 def diagnose(judgement: Judgement) -> list[str]:
-    """Find the conventions by which a layout would have nearly no overlap and nothing outside.
+    """Describe the conventions under which nearly all overlaps and parts outside vanish.
 
-    Returns:
-        Sentences, that of the fewest remaining faults first; none if few placements have faults, no
-        convention explains them, or a shape is rounded.
+    The list is sorted by remaining faults. It is empty if few placements are faulty, no convention
+    explains the faults, or a shape is rounded.
 
-    Cost: that of `judge_layout` for each of about thirty conventions, if many are at fault.
+    Cost: about thirty times `judge_layout`, if many placements are faulty.
     """
     layout, faults = judgement.layout, _count_faults(judgement)
     if any(part.pieces for part in layout.parts) or isinstance(layout.container, RoundedPiece):
@@ -68,7 +65,7 @@ def diagnose(judgement: Judgement) -> list[str]:
 
 
 def find_radians(layout: Layout) -> list[str]:
-    """Report a turn that is nearly a multiple of 15 degrees in radians.
+    """Report a rotation that, read as radians, is nearly a multiple of 15 degrees.
 
     >>> found = find_radians(Layout(None, (), (Placement("a", read_turn("3.14159"), ORIGIN),)))
     >>> print(*found)
@@ -93,7 +90,7 @@ def _count_faults(judgement: Judgement) -> int:
 
 
 def _apply(layout: Layout, change: Convention) -> Layout:
-    """Make the layout under a convention; placements that change alike share a part."""
+    """Make the layout under a convention; equal changed parts are merged."""
     parts: dict[LayoutPart, str] = {}
     placements = []
     for placement in layout.placements:
@@ -107,7 +104,7 @@ def _apply(layout: Layout, change: Convention) -> Layout:
 
 
 def _list_conventions(layout: Layout) -> Iterator[tuple[str, Convention]]:
-    """List other readings of a placement, the likeliest first."""
+    """Yield conventions, the likeliest first."""
     low, high = (layout.container or make_box(Board(layout).frame)).bounding_box
 
     def turn(by: Callable[[Fraction], Fraction], *, all_of_them: bool = True) -> Convention:
@@ -142,10 +139,7 @@ def _list_conventions(layout: Layout) -> Iterator[tuple[str, Convention]]:
 
 
 def _from_radians(angle: Fraction) -> Fraction:
-    """Convert radians to degrees; to whole degrees if the digits of the radians allow it.
-
-    The angle is from 0 to 360; an angle beyond 180 was negative.
-    """
+    """Convert radians to degrees, rounded if nearly whole; angles over 180 are negative."""
     degrees = (angle if angle <= 180 else angle - 360) * _DEGREES
     return Fraction(round(degrees)) if abs(degrees - round(degrees)) < _NEARLY else degrees
 
@@ -157,7 +151,7 @@ def _turn(p: Placement, by: Callable[[Fraction], Fraction]) -> Placement:
 
 
 def _shift_by(find: Callable[[LayoutPart], Point], *, move: bool) -> Convention:
-    """Move the origin of parts elsewhere; if moves follow it, parts turn about the new origin."""
+    """Shift the origin of parts; with `move`, parts rotate about the new origin in place."""
 
     def change(part: LayoutPart, p: Placement) -> tuple[LayoutPart, Placement]:
         at = find(part)
@@ -173,7 +167,7 @@ def _move_first(part: LayoutPart, p: Placement) -> tuple[LayoutPart, Placement]:
 
 
 def _from_turned_corner(part: LayoutPart, p: Placement) -> tuple[LayoutPart, Placement]:
-    """Place the corner of the turned part's box by the move, if the turn is exact."""
+    """Let the translation place the corner of the rotated part's box, if the rotation is exact."""
     if p.turn.exact is None:
         return part, p
     a, b, c, d = p.rows()

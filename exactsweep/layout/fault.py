@@ -25,7 +25,7 @@ FaultKind = Literal[
 """The kinds of faults, the worst first."""
 
 
-# Depths that differ by less are equal but for rounding.
+# Depths with a greater ratio differ only by rounding.
 _ALMOST = 1 - Fraction(1, 2**50)
 _REPAIRED = "overlap", "outside", "too close", "undecided"
 
@@ -39,19 +39,19 @@ class Fault:
             container, or overlaps a defect; "too close": two placed parts are nearer than the
             spacing, or one is nearer than the margin to the boundary of the container or of a
             defect; "missing", "surplus": a part has fewer or more placements than its demand;
-            "turn", "mirror": a placement has a turn or a mirroring that its part forbids; "shape":
-            a part is not simple, so its placements are not judged; "undecided": an angle without a
-            rational turn, or flattened curves, leave the verdict open within the bound.
-        placements: the numbers of the placements, ascending.
+            "turn", "mirror": a placement has a rotation or a mirroring that its part forbids;
+            "shape": a part is not simple, so its placements are not judged; "undecided": irrational
+            rotations or flattened curves leave the verdict open.
+        placements: the indices of the placements, ascending.
         part: the id of the part, for "missing", "surplus" and "shape".
-        reason: the refusal of a part that is not simple, or the undecided question.
+        reason: why a part is not simple, a placement is forbidden, or the verdict is undecided.
         number: the number of missing or surplus placements.
         distance_squared: the squared distance, for "too close".
-        bound: the greatest error of the placed parts because of angles that have no rational turn,
-            and of flattened curves; 0 if all is exact. The proof of a fault holds for the true
-            turns and curves; `move` may be off by the bound.
-        error: the share of the bound that is due to flattened curves.
-        wall: the obstacle of a fault with one placement: 0 for the outside, k for defect k - 1.
+        bound: a bound on the errors of both solids by irrational rotations and flattened curves; 0
+            if both are exact. The proof of a fault holds for the true rotations and curves; `move`
+            may be off by the bound.
+        error: the part of the bound due to flattened curves.
+        wall: the obstacle of a fault with one placement, an index in `Board.around`.
     """
 
     kind: FaultKind
@@ -72,8 +72,8 @@ class Fault:
         """The points that prove the fault.
 
         "overlap": a point inside both parts. "outside": a point inside the part that is outside the
-        container or inside a defect. "too close": the two nearest points, the second one on the
-        other part, on the container's boundary or on a defect. Other kinds have no points.
+        container or inside a defect. "too close": the two nearest points, the second on the other
+        part, the container's boundary or a defect. Other kinds have no points.
         """
         if self.kind not in ("overlap", "outside"):
             return self._nearest
@@ -83,10 +83,7 @@ class Fault:
         return (found.point,)
 
     def find_pair(self, bits: int) -> tuple[Solid, Solid]:
-        """Return the two solids of a fault, on one lattice.
-
-        For a fault with one placement, the second solid is the outside or a defect.
-        """
+        """Return the two solids of a fault, on a common lattice; an obstacle comes second."""
         board = self._board
         assert board is not None
         first = board.solid(self.placements[0], bits)
@@ -96,13 +93,12 @@ class Fault:
 
     @cached_property
     def move(self) -> Point | None:
-        """A shortest move that repairs a fault of placements in their positions; else None.
+        """A shortest move of the last placement that repairs the fault; None if there is none.
 
-        The move frees the last placement from the fault, with the spacing or the margin, without
-        regard to other parts. For a part outside, it moves the part into the container, free of
-        defects; it is None if the part, with its turn, does not fit in. The judge has accepted it.
-        It is the shortest one if no distance is required and all turns are rational; otherwise see
-        `exactsweep.layout.repair`.
+        It includes the spacing or the margin, but ignores other parts. A part outside moves into
+        the container, off the defects, if it fits at its rotation. The judge has accepted the
+        result. The move is shortest if no distance is required and all rotations are rational;
+        otherwise see `exactsweep.layout.repair`.
 
         Cost: that of `find_repair`, on first access.
         """
@@ -114,9 +110,9 @@ class Fault:
     def depth_squared(self) -> Fraction | None:
         """The squared length of the shortest move to contact, for "overlap" and "outside".
 
-        It ignores the spacing and the margin. It is None if the part fits nowhere. For turns
-        without a rational value and for flattened curves, the length may be off by the bound; for
-        rounded parts it is rounded up, and an upper bound if one of the parts is not convex.
+        It ignores the spacing and the margin, and is None if the part fits nowhere. The length may
+        be off by the bound; for rounded parts it is rounded up, and only an upper bound if one of
+        them is not convex.
 
         Cost: that of `find_depth_move`, on first access.
         """
@@ -127,7 +123,7 @@ class Fault:
 
     @property
     def box_depth(self) -> Fraction:
-        """The overlap of the boxes of two placements, a bound on the depth; 0 for other faults."""
+        """The overlap of the two bounding boxes, a bound on the depth; 0 for other faults."""
         if self._board is None or len(self.placements) < 2:
             return Fraction(0)
         one, other = map(self._board.solid, self.placements)
@@ -138,10 +134,9 @@ class Fault:
 
     @cached_property
     def clearance(self) -> Clearance | None:
-        """The exact distance or depth of two rounded bodies; None for polygons.
+        """The exact distance or depth of two rounded shapes; None for polygons.
 
-        It is a square root minus a radius. For several pieces, it is that of the two that
-        overlap most, or are nearest.
+        It is a square root minus a radius, for the pieces that overlap most or are nearest.
         """
         if self._board is None or self.kind not in _REPAIRED:
             return None
@@ -150,7 +145,7 @@ class Fault:
 
     @property
     def least_depth_squared(self) -> Fraction | None:
-        """A lower bound on `depth_squared`, less only for rounded parts that are not convex."""
+        """A lower bound on `depth_squared`, equal except for nonconvex rounded parts."""
         if self.clearance is None or self.depth_squared is None:
             return self.depth_squared
         depth = self.clearance.bound(up=True)
@@ -167,12 +162,9 @@ class Fault:
         return self._board.required(self.wall)
 
     def is_within(self, depth: Fraction) -> bool:
-        """Decide whether the fault is at most a depth deep, or short of the required distance.
+        """Return whether the depth, or the missing distance, is proved to be at most `depth`.
 
-        All errors count: the answer is True only if it is proved for the true turns and curves.
-
-        Args:
-            depth: at least 0.
+        The proof holds for the true rotations and curves.
 
         Cost: that of `depth_squared` for overlaps.
         """
@@ -196,11 +188,7 @@ class Fault:
         return move is not None and move.x**2 + move.y**2 <= room * room
 
     def to_json(self, *, measured: bool = True) -> dict[str, Any]:
-        """Write the fault as plain JSON data, numbers as strings.
-
-        Args:
-            measured: whether to compute the depth and the repair.
-        """
+        """Return plain JSON data; include the depth and the repair if `measured`."""
         found = {
             "part": self.part,
             "reason": self.reason or None,

@@ -1,13 +1,13 @@
 """The exact judge of layouts.
 
-A layout is valid if it meets all of these conditions: every placed part, as a closed set, lies in
-the container; no two interiors meet; any two parts are at least the spacing apart; every part is at
-least the margin from the boundary of the container and of its defects; demand, turns and mirroring
-obey the rules; and all parts are simple.
+A layout is valid if all parts are simple, every placed part lies in the closed container, no two
+interiors meet, any two parts are at least the spacing apart, every part is at least the margin away
+from the boundary of the container and the defects, and demand, rotations and mirroring obey the
+rules.
 
-A flattened curve has an error, and the verdict holds for the curve: parts are apart if their gap is
-at least the spacing and both errors, and overlap if a point is deeper in both than their errors;
-all else is undecided.
+The verdict holds for the true curves: parts are separate if their gap is at least the spacing plus
+the errors of both, and overlap if a point is deeper in each than its error; otherwise they are
+undecided.
 """
 
 from __future__ import annotations
@@ -36,7 +36,7 @@ from exactsweep.words import count
 
 
 class Judgement:
-    """The faults of a layout, and measures that are computed on first access; see `judge_layout`.
+    """The faults of a layout, and measures, computed on first access; see `judge_layout`.
 
     Attributes:
         layout: the Layout.
@@ -58,27 +58,24 @@ class Judgement:
         self.contacts = tuple(sorted(contacts))
 
     def certificate(self) -> dict[str, Any]:
-        """Return plain JSON data that prove the verdict, as `check/CERTIFICATES.md` describes them.
+        """Return plain JSON data that proves the verdict; see `check/CERTIFICATES.md`.
 
         Raises:
-            LayoutError: the layout is not valid, and no fault has a proof; see
-                `write_certificate`.
-
-        Cost: see `write_certificate`.
+            LayoutError: no fault has a proof; see `write_certificate`, also for the cost.
         """
         return write_certificate(self._board, self.faults)
 
     @property
     def valid(self) -> bool:
-        """Decide whether there is no fault and no undecided pair."""
+        """Whether there are no faults and no undecided pairs."""
         return not self.faults
 
     @property
     def density(self) -> Fraction | None:
-        """The area of the placed simple parts divided by that of the container.
+        """The area of the placed simple parts divided by that of the container, or else the `box`.
 
-        Without a container, it is that of the `box`; None if nothing is placed, or rounded pieces
-        of one part overlap. With rounded parts it may be off by `density_error`.
+        None if nothing is placed, or rounded pieces of a part overlap. The error is at most
+        `density_error`.
         """
         return None if self._density is None else sum(self._density, Fraction(0)) / 2
 
@@ -106,9 +103,9 @@ class Judgement:
 
     @cached_property
     def box(self) -> tuple[Point, Point] | None:
-        """The lower left and the upper right corner of the box of all placed parts.
+        """The lower left and upper right corners of the bounding box of all placed parts.
 
-        It is None if nothing is placed. The sides may be off by `box_error`.
+        None if nothing is placed. The error of each side is at most `box_error`.
         """
         boxes = [(solid.box, solid.scale) for solid in map(self._board.solid, self._board.placed)]
         if not boxes:
@@ -119,18 +116,18 @@ class Judgement:
 
     @property
     def box_error(self) -> Fraction:
-        """A bound on the error of each side of the `box`; 0 if turns and shapes are exact."""
+        """A bound on the error of each side of the `box`; 0 if rotations and shapes are exact."""
         slacks = (self._board.solid(k).slack for k in self._board.placed)
         return max(slacks, default=Fraction(0))
 
     @cached_property
     def distance(self) -> NearestPair | None:
-        """The least squared distance of two placed parts, and where; None for fewer than two.
+        """The nearest pair of placed parts; None for fewer than two.
 
-        Overlaps and contacts have distance 0. If turns have no rational value, or curves are
-        flattened, the distance may be off by the bound; see `Layout.greatest_error`.
+        Overlaps and contacts have distance 0. Irrational rotations and flattened curves cause
+        errors; see `Layout.greatest_error`.
 
-        Cost: about that of finding the pairs of boxes at that distance.
+        Cost: that of `find_nearest_pair`.
         """
         for fault in self.faults:
             if fault.kind == "overlap":
@@ -149,8 +146,8 @@ class Judgement:
 def judge_layout(layout: Layout) -> Judgement:
     """Judge a layout exactly.
 
-    Cost: O(n log n + k) for n placements and defects and k pairs whose boxes meet or are nearer
-    than the spacing, plus that of `meet` for each of these pairs.
+    Cost: O(n log n) for n placements and defects, plus `meet` for each pair whose boxes are nearer
+    than the spacing.
 
     Example:
         >>> square = [["0", "0"], ["1", "0"], ["1", "1"], ["0", "1"]]
@@ -173,7 +170,7 @@ def judge_layout(layout: Layout) -> Judgement:
 
 
 def _judge_pairs(board: Board, contacts: list[tuple[int, int]]) -> Iterator[Fault]:
-    """Find the faults of pairs of placements, and add pairs that touch to the contacts."""
+    """Yield the faults of pairs of placements, and add touching pairs to `contacts`."""
     spacing, solid = board.layout.spacing, board.solid
     for k, j in board.list_near(spacing):
         found = judge_pair(lambda bits: (solid(k, bits), solid(j, bits)), TURN_BITS, spacing)  # noqa: B023
@@ -184,7 +181,7 @@ def _judge_pairs(board: Board, contacts: list[tuple[int, int]]) -> Iterator[Faul
 
 
 def _judge_container(board: Board) -> Iterator[Fault]:
-    """Find the faults of placements with the outside and the defects, at most one each."""
+    """Yield the worst fault of each placement with the outside and the defects."""
     solid = board.solid
     for k, walls in board.find_walls():
         worst: list[tuple[Fraction, Fault]] = []
@@ -213,7 +210,7 @@ def _name_faults(
     )
     if found.meeting is None or found.too_close is None:
         what = "overlap" if found.meeting is None else "distance"
-        why = " of flattened curves" if found.error else ""
+        why = " (flattened curves)" if found.error else ""
         reason = f"the {what} is undecided within {abridge(found.slack)}{why}"
         yield fault(kind="undecided", reason=reason)
     elif found.meeting is Relation.OVERLAP:

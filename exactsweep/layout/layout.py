@@ -39,11 +39,11 @@ class LayoutPart:
         exterior: its vertices as in the input, a tuple of Point.
         holes: the vertices of each hole.
         demand: the required number of placements; None for any number.
-        turns: the allowed turns, a tuple of Turn; None for all turns.
-        mirrored: whether a placement may be mirrored; None also allows it.
-        error: a bound on the distance between the rings and the curves that they stand for, in both
-            directions; 0 for a polygon.
-        mirrored_turns: the allowed turns of mirrored placements; None for those of `turns`.
+        turns: the allowed rotations, a tuple of Turn; None for all.
+        mirrored: whether placements may be mirrored; None allows it.
+        error: a bound on the Hausdorff distance between the rings and the true curves; 0 for a
+            polygon.
+        mirrored_turns: the allowed rotations of mirrored placements; None for `turns`.
         pieces: a tuple of RoundedPiece, whose union is the part; then `exterior` is empty.
     """
 
@@ -82,7 +82,7 @@ class LayoutPart:
         )
 
     def allows(self, placement: Placement) -> bool:
-        """Decide whether the turn of a placement is allowed."""
+        """Return whether the rotation of a placement is allowed."""
         turns = self.turns
         if placement.mirrored and self.mirrored_turns is not None:
             turns = self.mirrored_turns
@@ -90,17 +90,17 @@ class LayoutPart:
 
     @property
     def shape(self) -> BodyShape | None:
-        """The rounded pieces or the `region`; None if rings do not bound one."""
+        """The rounded pieces or the `region`; None if the rings do not bound one."""
         return self.pieces or self.region
 
     @cached_property
     def region(self) -> Region | None:
-        """The part as a Region; None if its rings do not bound one; see `refusal`."""
+        """The part as a Region; None if it is rounded, or its rings do not bound a region."""
         return None if self.pieces else self._read[0]
 
     @cached_property
     def refusal(self) -> str:
-        """The reason why the part is not a Region; empty if it is one."""
+        """Why the rings do not bound a region; "" if they do."""
         return self._read[1]
 
     @cached_property
@@ -108,18 +108,18 @@ class LayoutPart:
         try:
             return Region(self.exterior, self.holes), ""
         except PolygonError as error:
-            # A single ring needs no name.
+            # Do not name a single ring.
             return None, str(error) if self.holes else str(error).removeprefix("exterior: ")
 
 
 @dataclass(frozen=True)
 class Placement:
-    """A copy of a part, mirrored (x to -x) first, turned about its origin, then moved.
+    """A copy of a part: mirrored (x to -x) first, then rotated about its origin, then translated.
 
     Attributes:
         part: the id of the part.
-        turn: a Turn.
-        move: a Point.
+        turn: the rotation, a Turn.
+        move: the translation, a Point.
         mirrored: whether the copy is mirrored.
     """
 
@@ -140,7 +140,7 @@ class Placement:
         )
 
     def rows(self, bits: int = TURN_BITS) -> tuple[Fraction, Fraction, Fraction, Fraction]:
-        """Return the linear map, mirror and turn, by rows; the turn is off by at most 2**-bits."""
+        """Return the rows of the linear map; the error of the rotation is at most 2**-bits."""
         cosine, sine, _ = self.turn.near(bits)
         across = -1 if self.mirrored else 1
         return across * cosine, -sine, across * sine, cosine
@@ -153,7 +153,7 @@ class Defect:
     Attributes:
         shape: a Region, or a tuple of RoundedPiece.
         error: as for `LayoutPart`.
-        spacing: the least allowed distance of parts; None for the margin of the layout.
+        spacing: the required distance of parts; None for the margin of the layout.
     """
 
     shape: BodyShape
@@ -171,19 +171,17 @@ class Defect:
 
 @dataclass(frozen=True)
 class Layout:
-    """Placements of parts in a container; `from_json` reads one.
+    """Placements of parts in a container.
 
     Attributes:
-        container: a Region, whose holes are defects; or a RoundedPiece, such as a disc; None if
-            only the distances of parts count.
+        container: a Region, whose holes are defects; a RoundedPiece, such as a disc; or None.
         parts: a tuple of LayoutPart with different ids.
         placements: a tuple of Placement.
-        spacing: the least allowed distance of two placed parts, at least 0.
-        margin: the least allowed distance of a part from the container's boundary and its defects,
-            at least 0.
-        error: a bound on the distance between the rings of the container and the curves that they
-            stand for; 0 for a polygon.
-        defects: a tuple of Defect, besides the holes of the container.
+        spacing: the required distance between placed parts, at least 0.
+        margin: the required distance of parts from the container's boundary and from defects, at
+            least 0.
+        error: as for `LayoutPart`, of the container.
+        defects: a tuple of Defect, in addition to the holes of the container.
     """
 
     container: Region | RoundedPiece | None
@@ -199,16 +197,15 @@ class Layout:
         """Read a layout from plain JSON data; `layout.schema.json` defines the format.
 
         Args:
-            data: a dict. Numbers are strings such as "1/3" and "0.1", ints, or floats, which stand
-                for their exact binary values.
+            data: a dict. Numbers are strings such as "1/3" and "0.1", ints, or floats with their
+                exact binary values.
 
         Returns:
-            A Layout. Parts need not be simple polygons; the judge reports those that are not.
-            Holes of the container that touch or cross its boundary or one another are `defects`.
+            A Layout. Parts need not be simple polygons; the judge reports those that are not. If
+            holes of the container touch or cross each other or its boundary, all are `defects`.
 
         Raises:
-            LayoutError: the data are not a layout. The message names the field, such as
-                "placements[3].turn".
+            LayoutError: not a layout; the message names the field, such as "placements[3].turn".
 
         Cost: linear.
 
@@ -251,10 +248,7 @@ class Layout:
         )
 
     def to_json(self) -> dict[str, Any]:
-        """Write the layout as plain JSON data, all numbers as strings; `from_json` reads it.
-
-        Cost: linear.
-        """
+        """Return plain JSON data for `from_json`, with all numbers as strings."""
         defects = [
             _list_shape(one.shape, one.error)
             | ({} if one.spacing is None else {"spacing": one.spacing})
@@ -282,9 +276,9 @@ class Layout:
 
     @property
     def __geo_interface__(self) -> GeoJson:
-        """The placed parts as a GeoJSON GeometryCollection; irrational turns are approximated.
+        """The placed parts as a GeoJSON GeometryCollection.
 
-        Rounded parts are polygons around them.
+        Irrational rotations are approximated, and rounded parts are approximated from outside.
 
         Raises:
             LayoutError: a placed part is not simple.
@@ -300,21 +294,21 @@ class Layout:
 
     @property
     def greatest_error(self) -> Fraction:
-        """The greatest error of the container, defects and placed parts; 0 without curves."""
+        """The greatest `error` of the container, the defects and the placed parts."""
         placed = {placement.part for placement in self.placements}
         errors = [part.error for part in self.parts if part.id in placed]
         return max([self.error, *errors, *(one.error for one in self.defects)])
 
     @cached_property
     def part_by_id(self) -> Mapping[str, LayoutPart]:
-        """The parts by their ids."""
+        """The parts by id."""
         return {part.id: part for part in self.parts}
 
 
 def _read_container(
     data: object,
 ) -> tuple[Region | RoundedPiece, Fraction, tuple[Defect, ...]]:
-    """Read the container; holes that are not apart from each other and its boundary are defects."""
+    """Read the container; holes become defects if any touch or cross."""
     _, (exterior, holes), pieces, error = _read_shape(data, "container")
     if len(pieces) > 1:
         raise LayoutError(f"container.pieces has {len(pieces)} pieces; a container has one")

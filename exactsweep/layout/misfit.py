@@ -1,9 +1,9 @@
-"""Points that show that the rings of a part are not the boundary of a shape.
+"""Points that prove that the rings of a part do not bound a shape.
 
-The winding number of rings at a point, their interior on the left, counts the edges to the right of
-the point: one for an edge upwards, less one for an edge downwards. An edge owns its lower end, but
-not its upper one. Rings bound a shape if the number is 0 or 1 everywhere. At a point inside an edge
-it is the number to the right of the edge. Each face has such an edge on its left.
+Rings with the interior on the left bound a shape if their winding number is 0 or 1 everywhere. The
+winding number of a point is the number of upward edges to its right, minus that of downward edges;
+an edge includes its lower end, but not its upper one. At a point on an edge, this is the winding
+number to the right of the edge. Each face is to the right of some edge.
 """
 
 from __future__ import annotations
@@ -22,11 +22,9 @@ _PartEdge = tuple[Point, Point]
 
 
 def find_misfit(part: LayoutPart) -> Point | None:
-    """Find a point whose winding number by the rings of a part is neither 0 nor 1.
+    """Find a point with a winding number other than 0 and 1; None if rings only touch.
 
-    None if rings only touch.
-
-    Cost: O(n) for each edge, and for each two edges that meet.
+    Cost: O(n) for each edge, and for each pair of edges that meet.
 
     >>> bow = [Point(Fraction(x), Fraction(y)) for x, y in ((0, 0), (2, 2), (2, 0), (0, 1))]
     >>> find_misfit(LayoutPart("bow", tuple(bow))) is None
@@ -43,12 +41,12 @@ def find_misfit(part: LayoutPart) -> Point | None:
 
 
 def drop_repeated(ring: Sequence[Point]) -> list[Point]:
-    """Return a ring without vertices that repeat the one before."""
+    """Drop vertices that equal their predecessor."""
     return [p for k, p in enumerate(ring) if p != ring[k - 1]]
 
 
 def _list_inner(edges: Sequence[_PartEdge]) -> Iterator[Point]:
-    """List a point in each piece of an edge between others, unless it is horizontal."""
+    """Yield the midpoint of each piece of a nonhorizontal edge between intersections."""
     meetings = [{*edge} for edge in edges]
     boxes = [(min(a.x, b.x), max(a.x, b.x), min(a.y, b.y), max(a.y, b.y)) for a, b in edges]
     for k, j in find_near(boxes):
@@ -62,7 +60,7 @@ def _list_inner(edges: Sequence[_PartEdge]) -> Iterator[Point]:
 
 
 def _meet(one: _PartEdge, other: _PartEdge) -> list[Point]:
-    """Return the point in which two edges cross, or the ends of each that are on the other."""
+    """Return the point where two edges cross, or the ends of each that are on the other."""
     (a, b), (p, q) = one, other
     of_p, of_q, of_a, of_b = (
         orientation(a, b, p),

@@ -1,6 +1,6 @@
-"""The least distance of two solids that do not overlap, by the edges that are near enough.
+"""The minimum distance of two solids that do not overlap.
 
-Two segments that do not meet are nearest at an end of one of them. So their squared distance is a
+Two segments that do not meet are nearest at an end of one of them, so their squared distance is a
 quotient of two ints.
 """
 
@@ -17,12 +17,11 @@ from exactsweep.numbers.number import Edge, Point, Rational
 
 
 def find_gap(a: Solid, b: Solid, below: Fraction) -> SquaredDistance | None:
-    """Find the least distance of the boundaries of two solids, if its square is below a bound.
+    """Find the minimum squared distance of two boundaries, if it is below a bound.
 
-    The solids are polygonal, on one lattice, and do not overlap.
+    The solids are polygonal, on a common lattice, and do not overlap.
 
-    Cost: O(k h) for k edges of one and h edges of the other that are within the bound of the box of
-    the other solid.
+    Cost: O(k h) for k and h edges within the bound of the other solid's box.
     """
     assert isinstance(a.form, LatticeForm)
     assert isinstance(b.form, LatticeForm)
@@ -65,7 +64,7 @@ def find_gap(a: Solid, b: Solid, below: Fraction) -> SquaredDistance | None:
     if n:
         p, q = find_nearest_ends(one, other)
     else:
-        # Solids that do not overlap touch in a vertex of one of them.
+        # Solids that touch without overlap share a vertex of one of them.
         p = q = Point(*map(Fraction, (touch(*one, *other) or [one[0]])[0]))
     return SquaredDistance(
         Fraction(n, d * scale * scale) if type(n) is int else Fraction(n) / d / scale**2,
@@ -78,7 +77,7 @@ def _move(edge: BoxedEdge, x: int, y: int) -> Edge:
 
 
 def _is_far(line: Edge, edge: Edge, n: Rational, d: Rational) -> bool:
-    """Decide whether an edge is at least sqrt(n / d) from the line of another one."""
+    """Return whether an edge is at least sqrt(n / d) away from the line of another one."""
     of_p, of_q = (orientation(*line, end) for end in edge)
     least = min(of_p, of_q) if of_p > 0 else -max(of_p, of_q)
     dx, dy = minus(*line)

@@ -1,8 +1,8 @@
-"""Normals that prove that convex pieces are far enough apart.
+"""Normals that prove a distance between convex pieces.
 
 (1) If the interiors of two convex pieces are disjoint, the line of some edge separates them.
-(2) If the nearest points of two convex pieces p and q are d > 0 apart, the strip between them with
-    the normal q - p is d wide and empty; that is the normal of an edge, or joins two vertices.
+(2) If the nearest points p and q of two convex pieces are d > 0 apart, the strip of width d between
+    them with normal q - p is empty; q - p is the normal of an edge, or joins two vertices.
 """
 
 from __future__ import annotations
@@ -19,12 +19,11 @@ from exactsweep.geometry.vectors import minus
 def find_normal(
     one: Sequence[IntVertex], other: Sequence[IntVertex], distance: Fraction
 ) -> IntVertex | None:
-    """Find a normal that proves that two convex pieces are at least a distance apart.
+    """Find a normal that proves a distance between two convex pieces; None if they are nearer.
 
-    Pieces are convex rings, counter-clockwise, points or segments; the distance is in units of the
-    lattice. None if they are nearer.
+    Pieces are counter-clockwise rings, segments or points; the distance is in lattice units.
 
-    Cost: O((m + n)^2); for vertices that are nearest O(m n (m + n)).
+    Cost: O((m + n)^2), or O(m n (m + n)) if vertices are nearest.
 
     >>> find_normal([(0, 0), (2, 0), (0, 2)], [(2, 2), (0, 2), (2, 0)], Fraction(0))
     (1, 1)
@@ -32,7 +31,7 @@ def find_normal(
     square = distance * distance
     for x, y in _list_normals(one, other, distance):
         if not (x or y):
-            # The side of a point.
+            # A single point has no edge.
             continue
         gap = min(x * px + y * py for px, py in other) - max(x * px + y * py for px, py in one)
         if gap >= 0 and gap * gap >= square * (x * x + y * y):

@@ -1,8 +1,7 @@
 """Convex pieces of the complement of a container, within a frame.
 
-Four rectangles surround the box of the container. A part inside the box needs no normal with them.
-The rest are pockets between the border of the box and chains of the container. Each chain leads
-from one point of the border to the next.
+Four rectangles surround the bounding box of the container; parts inside the box need no normals for
+them. The rest consists of pockets between the box and the container.
 """
 
 from __future__ import annotations
@@ -16,7 +15,7 @@ from exactsweep.layout.pieces import bound_piece
 def cut_outside(exterior: IntRing, frame: tuple[int, int, int, int]) -> list[ConvexRing]:
     """Cut the space between a container and a frame into convex pieces.
 
-    The exterior is counter-clockwise; the frame, left, low, right and high, leaves room around it.
+    The exterior is counter-clockwise; the frame (left, low, right, high) leaves room around it.
 
     Cost: that of `cut_to_convex` for the pockets.
 
@@ -46,7 +45,7 @@ def cut_outside(exterior: IntRing, frame: tuple[int, int, int, int]) -> list[Con
         assert start is not None
         assert end is not None
         passed = range(start, start + (end - start) % 4)
-        # A corner ends its side, so the first may be where the chain starts.
+        # A corner ends its side, so the chain may start at the first one.
         border = [c for c in (corners[(k + 1) % 4] for k in passed) if c != chain[0]]
         ring = [chain[0], *border, *chain[:0:-1]]
         if len(chain) > 2 or border:

@@ -1,4 +1,4 @@
-"""Convex pieces: their boxes, and the points that two of them have in common."""
+"""Boxes and intersections of convex pieces."""
 
 from __future__ import annotations
 
@@ -44,8 +44,8 @@ def clip(ring: Sequence[Vertex], sides: Sequence[Rational]) -> Iterator[Vertex]:
     """Yield the part of a ring on one side of a line (Sutherland and Hodgman).
 
     Args:
-        ring: its vertices.
-        sides: of each vertex, its distance from the line in any unit, negative on the other side.
+        ring: the vertices.
+        sides: the distance of each vertex from the line in any unit, negative if clipped.
     """
     for k, (p, side) in enumerate(zip(ring, sides, strict=True)):
         q, before = ring[k - 1], sides[k - 1]

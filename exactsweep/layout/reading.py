@@ -1,4 +1,4 @@
-"""Readers of plain JSON data, field by field; every refusal names the field."""
+"""Readers of plain JSON data, whose errors name the field."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ _Value = TypeVar("_Value")
 
 
 class LayoutError(ExactSweepError):
-    """Data that are not a layout; the message names the part or placement, and the field."""
+    """Data that is not a layout; the message names the part or placement, and the field."""
 
 
 def read_object(
@@ -37,7 +37,7 @@ def read_object(
 
 
 def read_list(data: object, path: str, read: Callable[[object, str], _Value]) -> tuple[_Value, ...]:
-    """Read a list; a function reads each item, given its path."""
+    """Read a list; `read` converts each item, given its path."""
     if not isinstance(data, list | tuple):
         raise LayoutError(f"{path} is {quote(data)}, not a list")
     return tuple(read(one, f"{path}[{k}]") for k, one in enumerate(data))
@@ -63,7 +63,7 @@ def read_vertex(data: object, path: str) -> Point:
 
 
 def read_number(data: object, path: str) -> Fraction:
-    """Read a number as `to_fraction` does."""
+    """Read a number, like `to_fraction`."""
     try:
         with name_refusals(path):
             return to_fraction(data)
@@ -100,7 +100,7 @@ def read_id(data: object, path: str) -> str:
 
 
 def read_flag(data: object, path: str) -> bool | None:
-    """Read true, false or a missing value."""
+    """Read true, false or null."""
     if data is not None and not isinstance(data, bool):
         raise LayoutError(f"{path} is {quote(data)}, not true or false")
     return data

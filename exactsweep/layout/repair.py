@@ -1,10 +1,10 @@
-"""The shortest moves that repair faults of placed parts, each judged before it is returned.
+"""Shortest moves that repair faults of placed parts, judged before they are returned.
 
-Let r be the required distance and the errors of two solids. For r = 0 the shortest move ends at the
-nearest point of the boundary of the no-fit polygon, or at an exact fit: a foot of a perpendicular.
-For r > 0 the moved part is enlarged by a polygon around a disc of radius r, so that contact with
-the enlarged part keeps the distance. The move is then shortened in its direction. It is longer than
-the shortest one by at most r (1/cos(pi/32) - 1), about 0.5 percent of r.
+Let r be the required distance plus the errors of both solids. For r = 0, the shortest move ends at
+the nearest point of the no-fit polygon's boundary or of an exact fit. For r > 0, the moved part is
+enlarged by a polygon around a disc of radius r, so that contact keeps the distance; then the move
+is shortened in its direction. It exceeds the shortest move by at most r (1/cos(pi/32) - 1), about
+0.5 percent of r.
 """
 
 from __future__ import annotations
@@ -30,17 +30,17 @@ from exactsweep.sweep import free_positions, inner_fit_polygon, no_fit_polygon
 
 _SIDES, _STEPS, _DIGITS, _BITS = 32, 30, (6, 9, 12), 64
 _MOST_STEPS = 8
-# For radii below this share of the part a square is precise enough.
+# For radii below this share of the part, a square is precise enough.
 _TINY = Fraction(1, 10**6)
 
 
 def find_depth_move(board: Board, placements: Sequence[int], bits: int) -> Point | None:
-    """Find the shortest move after which the last placement overlaps nothing; errors do not count.
+    """Find the shortest move of the last placement without overlap, ignoring errors.
 
-    Two placements overlap each other; a single one is outside the container or on a defect. None if
-    it fits nowhere with its turn.
+    It frees the placement from the other one; a single placement, from the outside and the defects.
+    None if it fits nowhere at its rotation.
 
-    Cost: that of `no_fit_polygon` or of `free_positions`.
+    Cost: that of `no_fit_polygon` or `free_positions`.
     """
     if not board.is_rounded(placements):
         return _find_move(board, placements, bits, Fraction(0))
@@ -54,7 +54,7 @@ def find_depth_move(board: Board, placements: Sequence[int], bits: int) -> Point
 def find_repair(board: Board, placements: Sequence[int], bits: int) -> Point | None:
     """Find a shortest move that the judge accepts, for two placements, or one and the container.
 
-    Cost: that of two no-fit polygons, and for r > 0 of about 30 judgements of the pair.
+    Cost: two no-fit polygons, and for r > 0 about 30 judgements of the pair.
     """
     k = placements[-1]
     solid = board.solid(k, bits)
@@ -78,12 +78,12 @@ def find_repair(board: Board, placements: Sequence[int], bits: int) -> Point | N
 
 
 def find_free_move(board: Board, k: int) -> Point | None:
-    """Find the shortest move that frees a placement from all others and the container.
+    """Find a shortest move that frees a placement from all others and the container.
 
-    It is at most half the size of the part in x and y, and exceeds the shortest move as that of
-    `find_repair` does; None if there is none.
+    None if it would exceed half the size of the part in x or y. For its precision, see
+    `find_repair`.
 
-    Cost: that of `free_positions` with the placed parts that are near.
+    Cost: that of `free_positions` with the neighboring parts.
     """
     layout = board.layout
     if board.is_rounded([k]):
@@ -105,7 +105,7 @@ def find_free_move(board: Board, k: int) -> Point | None:
 
 
 def make_judge(board: Board, placements: Sequence[int], bits: int) -> Callable[[Point], bool]:
-    """Return a function that judges the last placement after a move, against the others."""
+    """Return a function that judges a move of the last placement."""
     k = placements[-1]
     at = board.layout.placements[k].move
 
@@ -136,7 +136,7 @@ def _give(solid: Solid, bits: int) -> Solid:
 
 
 def _find_move(board: Board, placements: Sequence[int], bits: int, room: Fraction) -> Point | None:
-    """Find the shortest move to where the last placement, enlarged by the room, is free."""
+    """Find the shortest move that frees the last placement, enlarged by `room`."""
     k = placements[-1]
     at, moved = board.layout.placements[k].move, board.turned(k, bits)
     if room:
@@ -163,11 +163,11 @@ def _find_move(board: Board, placements: Sequence[int], bits: int, room: Fractio
 def _find_rounded_move(
     board: Board, placements: Sequence[int], bits: int, room: Fraction
 ) -> Point | None:
-    """Find a move of rounded solids, step by step: that of the two pieces that overlap most.
+    """Find a move of rounded solids; each step separates the two pieces that overlap most.
 
-    If the first step frees the solids, it is their shortest move, longer by a share of at most
-    2^-60 if its length is irrational. None if the steps do not end, and for a container, unless it
-    is a rounded one of discs.
+    If the first step frees the solids, it is their shortest move, with relative error at most 2^-60
+    if irrational. None if the steps do not end, or for a container other than a rounded one with
+    discs.
     """
     k, move = placements[-1], ORIGIN
     if len(placements) > 1:
@@ -186,7 +186,7 @@ def _find_rounded_move(
         if missing <= 0:
             return move
         if is_outside and found.radius + room > 0:
-            # The hull of the container does not hold a smaller container.
+            # The shrunk container is not a rounded piece.
             return None
         share = missing / bound_root(Fraction(x * x + y * y), _BITS)[0]
         move = Point(move.x + share * x, move.y + share * y)
@@ -196,10 +196,7 @@ def _find_rounded_move(
 def _make_overlap_judge(
     board: Board, placements: Sequence[int], bits: int
 ) -> Callable[[Point], bool]:
-    """Return a function that decides whether the last placement, moved, overlaps nothing.
-
-    Errors of turns and curves do not count.
-    """
+    """Return a function that decides whether a move avoids all overlap, ignoring errors."""
     k = placements[-1]
     at = board.layout.placements[k].move
     fixed = [board.solid(placements[0], bits)] if len(placements) > 1 else board.around
@@ -228,7 +225,7 @@ def _make_room(board: Board) -> Region:
 
 
 def make_box(frame: tuple[int, int, int, int]) -> Region:
-    """Make a rectangle around a frame, with room for all of its contents on each side."""
+    """Make a rectangle around a frame, with the size of the frame on each side."""
     west, south, east, north = frame
     across, up = east - west, north - south
     left, low, right, high = west - across, south - up, east + across, north + up
@@ -236,7 +233,7 @@ def make_box(frame: tuple[int, int, int, int]) -> Region:
 
 
 def enlarge(region: Region, radius: Fraction) -> Region:
-    """Return a region that contains all points at distance at most `radius` of another one.
+    """Return a region that contains all points within `radius` of another region.
 
     >>> print(enlarge(Region([(0, 0), (9, 0), (9, 9), (0, 9)]), Fraction(1, 10**7)).bounding_box[0])
     (-1/10000000, -1/10000000)
@@ -248,14 +245,14 @@ def enlarge(region: Region, radius: Fraction) -> Region:
     try:
         return Region(grown.exterior, [hole.vertices for hole in grown.holes])
     except PolygonError:
-        # Holes that touch; without them the region is larger.
+        # Holes touch; without them the region is larger.
         return Region(grown.exterior)
 
 
 def _shorten(
     move: Point, is_free: Callable[[Point], bool], digits: Sequence[int] = _DIGITS
 ) -> Point:
-    """Shorten a move in its direction as far as it frees, and round it to few digits."""
+    """Shorten a move by bisection while it is free, and round it to few digits."""
     if not is_free(move):
         return move
     low, high = Fraction(0), Fraction(1)

@@ -1,12 +1,12 @@
-"""Layouts repaired by small moves, judged valid before they are returned.
+"""Repair of layouts by small moves; results are judged valid.
 
 Two convex pieces keep a distance if the difference of their moves is long enough in the direction
-that separates them: a linear condition. Hildreth's method finds the shortest moves that satisfy the
-conditions of all near pieces, in floats, which decide nothing: the judge decides on the moved
-layout, and each round adds conditions. Deep overlaps require their shortest repair instead. A few
-rounds suffice if parts have room of the size of the faults, as after rounding; otherwise a valid
-layout nearby need not exist, and finding one is hard. After the last round, each placement with a
-fault moves to the nearest position free of all others, if there is one.
+that separates them, a linear condition. Hildreth's method finds the shortest moves that satisfy the
+conditions of all near pieces, in floats, which prove nothing: each round judges the moved layout
+and adds conditions. Deep overlaps use their shortest repair instead. A few rounds suffice if parts
+have room of the size of the faults, as after rounding; otherwise a valid layout nearby need not
+exist, and finding one is hard. After the last round, each faulty placement moves to the nearest
+position free of all others, if there is one.
 
 Source: Hildreth, "A quadratic programming procedure", Naval Research Logistics Quarterly 4, 1957.
 """
@@ -32,21 +32,21 @@ from exactsweep.numbers.digits import find_magnitude
 from exactsweep.numbers.number import ORIGIN, Point
 
 _ROUNDS, _SINGLE_ROUNDS, _SWEEPS, _UPDATES = 24, 3, 4000, 4 * 10**6
-# The room beyond the required one that faults get, so that rounded moves are free, and the share
-# of it that sweeps and rounding may use.
+# Relative extra room for faults, so that rounded moves are free, and the share of it that sweeps
+# and rounding may use.
 _MORE, _NEARLY = Fraction(1, 2**7), Fraction(1, 2**3)
-# Overlaps that are a larger share of the smallest part are deep.
+# Overlaps are deep beyond this share of the smallest part.
 _DEEP = Fraction(1, 2**6)
 # Other pieces within this multiple of the deepest overlap must stay apart.
 _REACH = 8
 _MOST_FAULTS = 2000
-# The repair of pairs with more pairs of vertices needs less time than their pieces.
+# Beyond this number of vertex pairs, a repair is faster than a comparison of pieces.
 _MOST = 10**4
 _MOVABLE = {"overlap", "outside", "too close", "undecided"}
 
 
 class _Condition(NamedTuple):
-    """A length by which two placements, or one, must move apart in a direction; or less than 0."""
+    """A required length of the relative move in a unit direction; negative if there is room."""
 
     placements: tuple[int, ...]
     x: float
@@ -59,8 +59,8 @@ class RepairedLayout(NamedTuple):
 
     Attributes:
         layout: the Layout.
-        moves: the number of each moved placement and its move.
-        judgement: the Judgement, which is valid.
+        moves: the moves by placement index.
+        judgement: its Judgement.
     """
 
     layout: Layout
@@ -76,9 +76,10 @@ class RepairedLayout(NamedTuple):
 def repair_layout(judgement: Judgement) -> RepairedLayout | None:
     """Repair a layout by small moves.
 
-    None if no such moves were found, a fault has no position, or there are more than 2,000 faults.
+    None if no such moves were found, a fault is not one of position, or there are more than 2,000
+    faults.
 
-    Cost: up to about thirty judgements, each with a few seconds of sweeps, and the repairs of deep
+    Cost: up to about thirty judgements, each with a few seconds of sweeps, plus the repairs of deep
         faults.
 
     Example:
@@ -134,7 +135,7 @@ def _move(layout: Layout, moves: dict[int, Point]) -> Layout:
 
 
 def _list_conditions(judgement: Judgement) -> tuple[list[_Condition], list[_Condition]]:
-    """List the conditions of faults, and those of other near pieces if no fault is deep."""
+    """List the conditions of faults, and if none is deep those of other near pieces."""
     board, faults = judgement._board, judgement.faults
     found = [one for f in faults for one in _part_pieces(board, f.placements, Fraction(0))]
     longest = max((one.length for one in found), default=board.grain)
@@ -149,7 +150,7 @@ def _list_conditions(judgement: Judgement) -> tuple[list[_Condition], list[_Cond
 
 
 def _part_pieces(board: Board, at: tuple[int, ...], reach: Fraction) -> Iterator[_Condition]:
-    """Yield the conditions of near pieces of two placements, or of one and the walls."""
+    """Yield the conditions of near pieces of two placements, or of one and the obstacles."""
     k = at[-1]
     walls = range(len(board.around)) if len(at) < 2 else ()
     pairs = [(board.around[wall], board.required(wall)) for wall in walls]
@@ -186,7 +187,7 @@ def _aim(at: tuple[int, ...], x: Fraction, y: Fraction, length: Fraction) -> _Co
 
 
 def _add_moves(one: _Condition, moves: dict[int, Point], more: Fraction) -> _Condition:
-    """Return a condition on whole moves, after some moves, with more room."""
+    """Convert a condition after some moves to one on total moves, with more room."""
     x, y = moves.get(one.placements[-1], ORIGIN)
     if len(one.placements) > 1:
         before = moves.get(one.placements[0], ORIGIN)
@@ -196,7 +197,7 @@ def _add_moves(one: _Condition, moves: dict[int, Point], more: Fraction) -> _Con
 
 
 def _find_least_moves(conditions: Sequence[_Condition], nearly: Fraction) -> dict[int, Point]:
-    """Find nearly shortest moves that satisfy all conditions, if any exist."""
+    """Find nearly shortest moves that satisfy all conditions, by Hildreth's method."""
     unit = max((one.length for one in conditions), default=Fraction(0))
     if unit <= 0:
         return {}
@@ -231,7 +232,7 @@ def _find_least_moves(conditions: Sequence[_Condition], nearly: Fraction) -> dic
 
 
 def _move_one_by_one(judgement: Judgement) -> dict[int, Point]:
-    """For one placement of each fault, find the nearest position free of everything else."""
+    """Move one placement of each fault to its nearest free position."""
     moves: dict[int, Point] = {}
     for fault in judgement.faults:
         if moves.keys() & set(fault.placements):

@@ -1,15 +1,15 @@
 """Rounded pieces: all points within a radius of a convex hull.
 
-A disc is a point with a radius, a slot a segment with one, a rounded rectangle a rectangle with
-one. Let A and B be hulls with radii r and s, r + s > 0, and d the distance of the hulls.
+The hull of a disc is a point, of a slot a segment, of a rounded rectangle a rectangle. Let A and B
+be hulls with radii r and s, r + s > 0, and let d be the distance of the hulls.
 
-(1) The interiors of the pieces are disjoint if and only if d >= r + s, and their distance is then
+(1) The interiors of the pieces are disjoint if and only if d >= r + s; then their distance is
     d - r - s. The square of d is rational, so every comparison with a rational is exact.
-(2) If hulls overlap, let d be less than 0: minus the length of the shortest move that parts them.
-    That is the distance of the origin from the boundary of the convex set A - B, inside it. Then
-    the shortest move that frees the pieces has the length r + s - d in all cases.
-(3) A piece is inside a container of hull C and radius R if and only if the signed distance of each
-    of its vertices from C, negative inside, is at most R - r.
+(2) If the hulls overlap, let -d be the length of the shortest move that separates them, which is
+    the distance of the origin from the boundary of the convex set A - B. Then the shortest move
+    that separates the pieces always has length r + s - d.
+(3) A piece is inside a container with hull C and radius R if and only if the signed distance of
+    each of its vertices from C, negative inside, is at most R - r.
 """
 
 from __future__ import annotations
@@ -38,7 +38,7 @@ class RoundedPiece(NamedTuple):
 
     Attributes:
         points: the corners of the hull, counter-clockwise; one or two for a degenerate hull.
-        radius: at least 0; positive for a degenerate hull.
+        radius: at least 0, and positive for a degenerate hull.
     """
 
     points: Loop
@@ -58,12 +58,12 @@ class RoundedPiece(NamedTuple):
         return cls(hull, radius)
 
     def to_json(self) -> dict[str, Any]:
-        """Return the fields, with numbers as they are."""
+        """Return the fields; numbers are not converted."""
         return {"points": self.points, "radius": self.radius}
 
     @property
     def bounding_box(self) -> tuple[Point, Point]:
-        """The lower left and the upper right corner of the box."""
+        """The lower left and upper right corners of the bounding box."""
         xs, ys = zip(*self.points, strict=True)
         r = self.radius
         return Point(min(xs) - r, min(ys) - r), Point(max(xs) + r, max(ys) + r)
@@ -88,11 +88,11 @@ class RoundedPiece(NamedTuple):
 
 
 BodyShape = Region | tuple[RoundedPiece, ...]
-"""The shape of a part or a defect: a polygon with holes, or the union of rounded pieces."""
+"""The shape of a part or a defect: a polygon with holes, or a union of rounded pieces."""
 
 
 def read_pieces(data: object, path: str) -> tuple[RoundedPiece, ...]:
-    """Read a list of at least one piece."""
+    """Read a nonempty list of pieces."""
     pieces = read_list(data, path, RoundedPiece.from_json)
     if not pieces:
         raise LayoutError(f"{path} has no piece")
@@ -100,14 +100,14 @@ def read_pieces(data: object, path: str) -> tuple[RoundedPiece, ...]:
 
 
 def _list_squared_sides(points: Sequence[Point]) -> list[Fraction]:
-    """List the squared lengths of the sides; a segment has two."""
+    """List the squared lengths of the sides; a segment has two sides."""
     ends = pairwise((*points, points[0])) if len(points) > 1 else ()
     return [(q.x - p.x) ** 2 + (q.y - p.y) ** 2 for p, q in ends]
 
 
 @cache
 def bound_pi(bits: int) -> tuple[Fraction, Fraction]:
-    """Bound pi by Machin's formula, 4 arctan(1/5) - arctan(1/239), a fourth of pi.
+    """Bound pi by Machin's formula, pi/4 = 4 arctan(1/5) - arctan(1/239).
 
     >>> low, high = bound_pi(20)
     >>> float(low) < 3.14159266 and float(high) > 3.14159265, high - low < Fraction(1, 2**20)
@@ -124,14 +124,14 @@ def bound_pi(bits: int) -> tuple[Fraction, Fraction]:
         return total
 
     near = 4 * (4 * arctan(5) - arctan(239))
-    # Each of fewer than `bits` terms of either series is off by less than two units.
+    # Either series has fewer than `bits` terms, each with an error below two units.
     room = 64 * (bits + 16)
     assert room < 1 << 15
     return Fraction(near - room, unit), Fraction(near + room, unit)
 
 
 def bound_root(square: Fraction, bits: int) -> tuple[Fraction, Fraction]:
-    """Bound a square root from below and above within a share of 2**-bits; exact roots are equal.
+    """Bound a square root with relative error 2**-bits; both bounds are equal if it is rational.
 
     >>> bound_root(Fraction(9, 4), 8), bound_root(Fraction(2), 2)
     ((Fraction(3, 2), Fraction(3, 2)), (Fraction(11, 8), Fraction(3, 2)))
@@ -146,7 +146,7 @@ def bound_root(square: Fraction, bits: int) -> tuple[Fraction, Fraction]:
 
 
 def sign_square(length: Rational) -> Rational:
-    """Return the square of a number with its sign, which is monotone.
+    """Return the square of a number, with the sign of the number; this is monotone.
 
     >>> sign_square(-3), sign_square(2)
     (-9, 4)
@@ -155,7 +155,7 @@ def sign_square(length: Rational) -> Rational:
 
 
 def surround(pieces: Sequence[RoundedPiece]) -> Region:
-    """Return a polygon around rounded pieces, convex, with at most 32 sides around each corner.
+    """Return a convex polygon around rounded pieces, with at most 32 sides around each corner.
 
     >>> float(surround((RoundedPiece((ORIGIN,), Fraction(1)),)).area) < 3.16
     True
@@ -170,7 +170,7 @@ def surround(pieces: Sequence[RoundedPiece]) -> Region:
 
 
 def to_region(shape: BodyShape) -> Region:
-    """Return a Region as it is, and a polygon around rounded pieces."""
+    """Return a Region unchanged, and a polygon around rounded pieces."""
     return shape if isinstance(shape, Region) else surround(shape)
 
 
@@ -184,7 +184,7 @@ def inscribe(piece: RoundedPiece) -> Region:
 
 @cache
 def list_disc(sides: int) -> tuple[Point, ...]:
-    """List the corners of a symmetric polygon around the unit disc with rational tangents.
+    """List the corners of a symmetric polygon circumscribed about the unit disc.
 
     >>> list_disc(4)[0]
     Point(x=Fraction(1, 1), y=Fraction(1, 1))
@@ -205,7 +205,7 @@ def _list_normals(sides: int) -> list[Point]:
 
 
 def bound_area(shape: BodyShape | None) -> tuple[Fraction, Fraction] | None:
-    """Bound the area of a shape; None if pieces of it overlap, or there is none.
+    """Bound the area of a shape from below and above; None if its pieces overlap, or for None.
 
     Cost: O(n^2) for n rounded pieces.
     """
@@ -226,9 +226,9 @@ class HullDistance(NamedTuple):
     """The signed squared distance of two hulls; see (2).
 
     Attributes:
-        n, d: the squared distance as n / d; n is below 0 if the hulls overlap.
-        points: the nearest point of each hull; if they meet, one of their points twice or none.
-        normal: the direction in which the shortest move parts the second hull from the first one.
+        n, d: the squared distance as n / d; n is negative if the hulls overlap.
+        points: the nearest point of each hull, equal if they touch; None if they overlap.
+        normal: the direction of the shortest move of the second hull that separates them.
     """
 
     n: Rational
@@ -240,11 +240,10 @@ class HullDistance(NamedTuple):
 def measure_hulls(one: Sequence[Vertex], other: Sequence[Vertex]) -> HullDistance:
     """Measure the distance of two convex hulls.
 
-    Corners are counter-clockwise; a degenerate hull has one or two.
+    Corners are counter-clockwise; a degenerate hull has one or two. The edges of A - B are those of
+    A and of -B.
 
     Cost: O(m n).
-
-    Source: the edges of A - B are those of A and of -B (Minkowski sums of convex polygons).
 
     >>> square = [(0, 0), (2, 0), (2, 2), (0, 2)]
     >>> found = measure_hulls(square, [(4, 1)]), measure_hulls(square, [(1, 1), (9, 1)])
@@ -291,5 +290,5 @@ def measure_hulls(one: Sequence[Vertex], other: Sequence[Vertex]) -> HullDistanc
 
 
 def _list_edges(hull: Sequence[Vertex]) -> list[Edge]:
-    """List the edges of a hull; a segment has two, a point one of length 0."""
+    """List the edges of a hull; a segment has two, a point one with length 0."""
     return [*pairwise((*hull, hull[0]))]

@@ -1,8 +1,8 @@
 """The proved slack of a valid layout: how far its container can shrink, and its parts can grow.
 
-A convex container K shrinks about a corner c to c + s (K - c). With n.p <= h for an edge, a part
-with the greatest n.p = m, errors included, is inside if m - n.c <= s (h - n.c). So the least s is a
-maximum of quotients. A disc shrinks about its center to the greatest distance of a part's points.
+A convex container K shrinks about a corner c to c + s (K - c). For an edge with n.p <= h, a part
+with maximum m of n.p, including errors, is inside if m - n.c <= s (h - n.c). So the minimum s is a
+maximum of quotients. A disc shrinks about its center to the maximum distance of the parts' points.
 Numbers are rounded up, and the judge has accepted the shrunk layout.
 """
 
@@ -29,11 +29,11 @@ class ProvedSlack(NamedTuple):
     """The slack of a valid layout.
 
     Attributes:
-        layout: the Layout with its container shrunk.
-        scale: the factor of the container, at most 1.
-        center: the point about which it shrinks: a corner of a polygon, the center of a disc.
-        growth: a lower bound on the distance by which all parts can grow in their places at once,
-            until they touch each other, or the spacing is used up.
+        layout: the Layout with the shrunk container.
+        scale: the scale factor of the container, at most 1.
+        center: the fixed point: a corner of a polygon, the center of a disc.
+        growth: a lower bound on the distance by which all parts can grow in place before two of
+            them touch or violate the spacing.
     """
 
     layout: Layout
@@ -45,9 +45,9 @@ class ProvedSlack(NamedTuple):
 def find_slack(judgement: Judgement) -> ProvedSlack | None:
     """Find how far the container of a valid layout can shrink, and its parts can grow.
 
-    None if the layout is not valid, or its container is not convex, has defects, or is missing.
+    None if the layout is not valid, or without a convex container, or with defects.
 
-    Cost: linear, and that of a judgement.
+    Cost: linear, plus a judgement.
 
     Example:
         >>> tile = {"id": "tile", "exterior": [[0, 0], [1, 0], [1, 1], [0, 1]]}
@@ -107,7 +107,7 @@ def _shrink_polygon(
         height = x * (a.x - center.x) + y * (a.y - center.y)
         length = bound_root(x * x + y * y, _BITS)[1]
         if not height:
-            # The sides at the corner stay on their lines.
+            # The sides at the fixed corner stay on their lines.
             continue
         for solid in solids:
             room = _find_room(solid, layout)
@@ -136,7 +136,7 @@ def _round_up(value: Fraction) -> Fraction:
 
 
 def _find_growth(judgement: Judgement, solids: list[Solid]) -> Fraction:
-    """Return half the distance that the nearest two parts have to spare."""
+    """Return half the spare distance of the two nearest parts."""
     nearest = judgement.distance
     if nearest is None:
         return Fraction(0)

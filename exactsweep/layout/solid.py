@@ -1,19 +1,15 @@
-"""Solids: placed parts, the outside of the container and its defects, as ints on a lattice.
+"""Solids: placed parts, the outside of the container and the defects, in ints on a lattice.
 
-(1) The outside of the container, within a frame around everything, and each defect are solids, too:
-    no part may overlap them. So the judge needs only one test, of two solids.
-(2) All solids are on one lattice, if its scale has at most 1024 bits. Turns by many unrelated
-    angles would make the scale longer than the numbers themselves. Then each pair has its own
-    lattice.
+(1) The outside of the container, within a frame around everything, and each defect are also solids
+    that no part may overlap. So the judge needs only one test, for two solids.
+(2) All solids share a lattice if its scale has at most 1024 bits. With many unrelated rotations,
+    the scale would be longer than the numbers themselves; then each pair has its own lattice.
 (3) If a rotation has error e on the unit circle, the solid has error at most e r, where r is the
-    maximum distance of the part's points from its origin. This is the *slack* of the solid: each
-    point of its boundary is within the slack of a point of the true boundary, and vice versa.
-    Certificates bound e and r by sums of coordinates instead of roots: 3/2 e, which is more than
-    2^(1/2) e, and |x| + |y| for r. At 256 bits or fewer, the first exceeds the second by more than
-    10^-79, so it also covers the error of degrees that were converted from radians, at most
-    10^-100.
-(4) A flattened curve has an error, a bound on the distance between its lines and the curve. It adds
-    to the slack, and a more precise turn does not lower it.
+    maximum distance of the part's points from its origin. This is the *slack* of the solid, a bound
+    on the Hausdorff distance from the true boundary. Certificates use bounds without roots: 3/2 e,
+    which exceeds 2^(1/2) e, and |x| + |y| for r. At 256 bits or fewer, the excess is more than
+    10^-79, so it also covers the error of degrees converted from radians, at most 10^-100.
+(4) The error of flattened curves adds to the slack; more precise rotations do not lower it.
 """
 
 from __future__ import annotations
@@ -35,17 +31,17 @@ from exactsweep.layout.rounded import BodyShape, RoundedPiece
 from exactsweep.numbers.number import Point
 
 LatticeBox = tuple[int, int, int, int]
-"""The left, right, low and high end of a box."""
+"""The left, right, low and high ends of a box."""
 
 MatrixRows = tuple[int, int, int, int]
-"""A linear map by its rows."""
+"""The rows of a linear map."""
 
 LatticePiece = tuple[ConvexRing, int]
-"""A convex hull, of one or two points if it is degenerate, and the radius around it."""
+"""A convex hull, with one or two points if degenerate, and the radius around it."""
 
 
 class _Scalable:
-    """A form with its images on finer lattices."""
+    """A form with cached images on finer lattices."""
 
     @cached_property
     def _scaled(self) -> dict[int, Self]:
@@ -55,7 +51,7 @@ class _Scalable:
     def mapped(self, matrix: MatrixRows) -> Self: ...
 
     def scaled(self, factor: int) -> Self:
-        """Return the form on a lattice that is finer by a factor. Cost: O(n), once."""
+        """Return the form on a lattice that is finer by a factor."""
         found = self._scaled.get(factor)
         if found is None:
             found = self._scaled[factor] = self.mapped((factor, 0, 0, factor))
@@ -63,11 +59,11 @@ class _Scalable:
 
 
 class LatticeForm(_Scalable, EdgeIndex):
-    """A shape on a lattice, its interior on the left of its rings; many solids share it.
+    """A shape on a lattice, shared by solids.
 
     Args:
-        rings: the rings, the exterior first.
-        cut: returns the convex pieces of the form.
+        rings: the rings, the exterior first, with the interior on the left.
+        cut: returns the convex pieces.
     """
 
     rings: Sequence[IntRing]
@@ -80,7 +76,7 @@ class LatticeForm(_Scalable, EdgeIndex):
         self._cut = cut or (lambda: cut_to_convex(rings))
 
     def mapped(self, matrix: MatrixRows) -> Self:
-        """Return the image under a linear map. Cost: O(n)."""
+        """Return the image under a linear map."""
         return type(self)(
             [_map(ring, matrix) for ring in self.rings],
             lambda: [_map(piece, matrix) for piece in self.pieces],
@@ -103,11 +99,7 @@ class LatticeForm(_Scalable, EdgeIndex):
 
 
 class RoundedForm(_Scalable):
-    """Rounded pieces on a lattice; many solids share them.
-
-    Args:
-        rounded: the hulls, counter-clockwise, and their radii.
-    """
+    """Rounded pieces on a lattice, shared by solids: counter-clockwise hulls with radii."""
 
     is_rounded = True
 
@@ -115,7 +107,7 @@ class RoundedForm(_Scalable):
         self.rounded = [*rounded]
 
     def mapped(self, matrix: MatrixRows) -> Self:
-        """Return the image under a similarity of rational factor. Cost: O(n)."""
+        """Return the image under a similarity with a rational factor."""
         a, b, c, d = matrix
         by = isqrt(abs(a * d - b * c))
         return type(self)([(_map(hull, matrix), by * radius) for hull, radius in self.rounded])
@@ -138,19 +130,18 @@ class RoundedForm(_Scalable):
 
 
 class OutsideForm(RoundedForm):
-    """The outside of a rounded container, which is one rounded piece."""
+    """The outside of a rounded container, represented by the piece inside."""
 
 
 class Solid(NamedTuple):
-    """A form at a place of a lattice.
+    """A translated form on a lattice.
 
     Attributes:
-        form: the form on the lattice.
-        x: its move in x.
-        y: its move in y.
+        form: the form.
+        x, y: the translation.
         scale: the scale of the lattice.
-        slack: a bound on the distance of each point from its true place, by (3) and (4).
-        error: the share of the slack that is due to flattened curves.
+        slack: a bound on the error of each point, by (3) and (4).
+        error: the part of the slack due to flattened curves.
     """
 
     form: LatticeForm | RoundedForm
@@ -162,13 +153,13 @@ class Solid(NamedTuple):
 
     @property
     def box(self) -> LatticeBox:
-        """The box of the solid at its place."""
+        """The bounding box of the solid."""
         left, right, low, high = self.form.box
         x, y = self.x, self.y
         return left + x, right + x, low + y, high + y  # type: ignore[return-value]
 
     def on(self, scale: int) -> Solid:
-        """Return the solid on a finer lattice, whose scale is a multiple of this scale."""
+        """Return the solid on a finer lattice; the scale is a multiple of this scale."""
         factor = scale // self.scale
         if factor == 1:
             return self
@@ -177,30 +168,30 @@ class Solid(NamedTuple):
 
     @property
     def pieces(self) -> list[ConvexRing]:
-        """Return the convex pieces at their place."""
+        """The translated convex pieces."""
         x, y = self.x, self.y
         return [[(px + x, py + y) for px, py in piece] for piece in self.form.pieces]
 
     @property
     def rounded(self) -> list[LatticePiece]:
-        """Return the convex pieces at their place, with their radii."""
+        """The translated convex pieces, with their radii."""
         x, y = self.x, self.y
         return [([(px + x, py + y) for px, py in hull], r) for hull, r in self.form.rounded]
 
     def leave(self, x: int | Fraction, y: int | Fraction) -> Point:
-        """Convert a point of the lattice, or between, to the plane."""
+        """Convert lattice coordinates, possibly fractional, to a point of the plane."""
         return Point(Fraction(x) / self.scale, Fraction(y) / self.scale)
 
 
 def _map(ring: IntRing, matrix: MatrixRows) -> list[IntVertex]:
-    """Return the image of a ring, with the interior on the left again."""
+    """Return the image of a ring, with the interior on the left."""
     a, b, c, d = matrix
     image = [(a * x + b * y, c * x + d * y) for x, y in ring]
     return image if a * d > b * c else image[::-1]
 
 
 def make_form(shape: BodyShape) -> tuple[int, LatticeForm | RoundedForm]:
-    """Return the scale of a shape's lattice and its form there. Cost: O(n)."""
+    """Return the scale of a shape's lattice, and its form there."""
     if isinstance(shape, Region):
         scale, rings = shape.lattice()
         return scale, LatticeForm(rings)  # type: ignore[arg-type]
@@ -210,7 +201,7 @@ def make_form(shape: BodyShape) -> tuple[int, LatticeForm | RoundedForm]:
 def make_rounded_form(
     pieces: Sequence[RoundedPiece], kind: type[RoundedForm]
 ) -> tuple[int, RoundedForm]:
-    """Return the scale of the lattice of rounded pieces and their form there. Cost: O(n)."""
+    """Return the scale of the lattice of rounded pieces, and their form there."""
     scale = lcm(*(piece.denominator for piece in pieces))
     rounded = [
         (
@@ -223,19 +214,19 @@ def make_rounded_form(
 
 
 def put_on_lattice(value: Fraction, scale: int) -> int:
-    """Return a number times the scale of a lattice that holds it: an int.
+    """Return a number times the scale of its lattice, an int.
 
     >>> put_on_lattice(Fraction(1, 2), 6)
     3
     """
     n, d = value.as_integer_ratio()
     whole, rest = divmod(scale, d)
-    # Without a common lattice, coordinates are Fractions.
+    # A number off the lattice remains a Fraction.
     return n * whole if rest == 0 else value * scale  # type: ignore[return-value]
 
 
 def measure_slack(shape: BodyShape, error: Fraction) -> Fraction:
-    """Return the slack of a shape for an error of its turn, by (3). Cost: O(n).
+    """Return the slack of a shape for an error of its rotation, by (3).
 
     >>> measure_slack(Region([(0, 0), (3, 0), (3, -4)]), Fraction(1, 100))
     Fraction(21, 200)
@@ -249,7 +240,7 @@ def measure_slack(shape: BodyShape, error: Fraction) -> Fraction:
 
 
 def share_scale(a: Solid, b: Solid) -> tuple[Solid, Solid]:
-    """Return two solids on one lattice."""
+    """Return two solids on a common lattice."""
     if a.scale == b.scale:
         return a, b
     scale = lcm(a.scale, b.scale)
@@ -257,7 +248,7 @@ def share_scale(a: Solid, b: Solid) -> tuple[Solid, Solid]:
 
 
 def meet(a: Solid, b: Solid) -> Relation:
-    """Decide whether two polygonal solids of one lattice overlap, touch or are apart.
+    """Return whether two polygonal solids on a common lattice overlap, touch or are disjoint.
 
     Cost: that of `geometry.overlap.relate`.
     """

@@ -1,13 +1,13 @@
-"""The relation of two solids as intended, proved by increasingly precise rational turns.
+"""The relation of two true solids, proved by increasingly precise rational rotations.
 
 Let d be the sum of the slacks of two solids, and s their required distance.
 
-(1) If the solids are more than d apart, the true solids are apart. If their distance is at least
+(1) If the solids are more than d apart, the true solids are disjoint. If their distance is at least
     s + d, the true distance is at least s; if it is less than s - d, the true one is less than s.
 (2) A point inside a convex piece of a solid, farther from its sides than the slack, is inside the
     true solid.
-(3) More precise turns lower only the share of the slack that turns have. Where flattened curves
-    have nearly all of it, only a finer flattening can decide.
+(3) More precise rotations lower only their own part of the slack. If nearly all of it is due to
+    flattened curves, only a finer flattening can decide.
 """
 
 from __future__ import annotations
@@ -32,10 +32,10 @@ from exactsweep.layout.solid import LatticeBox, Solid, meet, share_scale
 from exactsweep.numbers.number import Point, Vertex
 
 MOST_BITS = 256
-"""The greatest precision, in bits, of rational turns for angles that have none."""
+"""Maximum precision of rational rotations, in bits."""
 
 _MANY = 32
-# Turns that have a smaller share of the slack than this one are precise enough, by (3).
+# Rotations are precise enough if curves have this many times their slack, by (3).
 _SHARE = 1000
 
 
@@ -43,13 +43,13 @@ class PairVerdict(NamedTuple):
     """The relation of two solids.
 
     Attributes:
-        meeting: a Relation, None if it is undecided.
-        gap: the SquaredDistance, if their distance is less than required; rounded up for rounded
-            solids, within 2^-64 of it.
-        too_close: whether the distance is less than required; None if it is undecided.
-        bits: the precision of the turns that decided.
-        slack: the sum of both slacks, 0 for exact turns of polygons.
-        error: the share of it that is due to flattened curves.
+        meeting: a Relation; None if undecided.
+        gap: the SquaredDistance, if less than required; for rounded solids rounded up, with
+            relative error at most 2^-63.
+        too_close: whether the distance is less than required; None if undecided.
+        bits: the precision of the rotations.
+        slack: the sum of both slacks; 0 for exact rotations of polygons.
+        error: the part of the slack due to flattened curves.
     """
 
     meeting: Relation | None
@@ -61,22 +61,22 @@ class PairVerdict(NamedTuple):
 
 
 class CommonPoint(NamedTuple):
-    """A point inside two solids, and for each the number of a piece around it."""
+    """A point inside two solids, and for each the index of a piece that contains it."""
 
     point: Point
     pieces: tuple[int, int]
 
 
 Refine = Callable[[int], tuple[Solid, Solid]]
-"""A function that returns the pair of solids, with turns off by at most 2**-bits."""
+"""A function that returns the pair of solids, with rotation errors of at most 2**-bits."""
 
 
 def judge_pair(refine: Refine, bits: int, spacing: Fraction) -> PairVerdict:
     """Decide the relation of two solids, and whether they are less than the spacing apart.
 
-    The precision of turns, from `bits` on, doubles until the verdict is proved.
+    The precision of rotations starts at `bits` and doubles until the verdict is proved.
 
-    Cost: that of `meet` for exact turns; with a spacing or without exact turns also `find_gap`.
+    Cost: that of `meet`; with a spacing or inexact rotations also that of `find_gap`.
     """
     while True:
         a, b = share_scale(*refine(bits))
@@ -132,9 +132,9 @@ def _decide_rounded(a: Solid, b: Solid, bits: int, spacing: Fraction) -> PairVer
 
 
 def find_witness(a: Solid, b: Solid) -> CommonPoint | None:
-    """Find a point that is inside both true solids of one lattice by (2); None if there is none.
+    """Find a point inside both true solids, by (2); None if not found. They share a lattice.
 
-    Cost: O(p q) for the pieces of both.
+    Cost: O(p q) for p and q pieces.
     """
     if is_rounded(a, b):
         found = find_rounded_witness(a, b)
@@ -143,7 +143,7 @@ def find_witness(a: Solid, b: Solid) -> CommonPoint | None:
     for i, ((left, right, low, high), one) in enumerate(ours):
         for j, ((west, east, south, north), other) in enumerate(theirs):
             if left < east and west < right and low < north and south < high:
-                # Pieces of flattened curves have thousands of vertices, most of them far away.
+                # Flattened curves have thousands of vertices, most of them far away.
                 box = max(left, west), min(right, east), max(low, south), min(high, north)
                 point = find_common_point(_cut(one, box), _cut(other, box))
                 if (
@@ -156,7 +156,7 @@ def find_witness(a: Solid, b: Solid) -> CommonPoint | None:
 
 
 def _cut(piece: ConvexRing, box: LatticeBox) -> Sequence[Vertex]:
-    """Clip a piece to a box around its intersection with another one."""
+    """Clip a large piece to a box."""
     if len(piece) < _MANY:
         return piece
     left, right, low, high = box
@@ -168,7 +168,7 @@ def _cut(piece: ConvexRing, box: LatticeBox) -> Sequence[Vertex]:
 
 
 def _is_deep(point: Point, piece: ConvexRing, slack: Fraction) -> bool:
-    """Decide whether a point inside a piece is farther from its sides than the slack."""
+    """Return whether a point inside a piece is farther from its sides than the slack."""
     if not slack:
         return True
     sides = (measure_to_edge(point, side) for side in pairwise((*piece, piece[0])))

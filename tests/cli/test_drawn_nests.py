@@ -155,5 +155,5 @@ def test_a_missing_container_is_asked_for(form: str, tmp_path: Path) -> None:
     path.write_text(WRITERS[form](draw_plates(), sheet=False))
     done = run("layout", str(path))
     assert done.exit_code == 1
-    assert "no outline is around all others; name the container (--container)" in done.stderr
+    assert "no outline contains all others; name the container (--container)" in done.stderr
     assert "30 x 20" in done.stderr

@@ -154,7 +154,7 @@ def test_other_outlines_on_the_layer_of_the_sheet_are_defects() -> None:
 def test_several_sheets_are_several_layouts() -> None:
     sheets = layer("sheets", SHEET, (20, 0, 29, 9))
     text = on_layers(sheets, layer("cut", (*PART, 'id="p"'), (21, 1, 23, 3, 'id="q"')))
-    with pytest.raises(FormatError, match="no outline is around all others"):
+    with pytest.raises(FormatError, match="no outline contains all others"):
         parse_layouts(on_layers(layer("a", SHEET), layer("b", (20, 0, 29, 9))))
     first, second = parse_layouts(text.replace("sheets", "sheet"))
     assert (first.name, second.name) == ("sheet 0", "sheet 1")

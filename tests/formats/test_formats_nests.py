@@ -150,7 +150,7 @@ def test_a_group_may_be_the_container_with_its_defects() -> None:
     assert [part["id"] for part in found.data["parts"]] == ["part"]
     assert found.data["container"]["exterior"][2] == ["9", "9"]
     assert len(found.data["defects"]) == 1
-    with pytest.raises(FormatError, match="no outline of the group 'pair' is around its others"):
+    with pytest.raises(FormatError, match="no outline of the group 'pair' contains the others"):
         read(f'<g id="pair">{PART}<path d="M4 4h2v2z"/></g>', container="pair")
 
 

@@ -91,7 +91,7 @@ def test_a_separation_holds_from_the_container() -> None:
     [
         ({"rotation": {"mode": "stepped", "step": 70}}, "does not divide 360 degrees"),
         ({"rotation": {"mode": "stepped", "step": 0}}, "does not divide 360 degrees"),
-        ({"rotation": {"mode": "any"}}, "'any' is no mode of rotation"),
+        ({"rotation": {"mode": "any"}}, "'any' is not a rotation mode"),
         ({}, "has no 'rotation'"),
     ],
 )

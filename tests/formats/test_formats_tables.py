@@ -113,7 +113,7 @@ def test_parts_are_chosen_by_name(read: Read) -> None:
 @pytest.mark.parametrize(
     ("table", "part", "message"),
     [
-        ("x,y,deg\n0,0,0\n", None, "--part FILE has the outline of its parts"),
+        ("x,y,deg\n0,0,0\n", None, "--part FILE reads the outlines of its parts"),
         ("x,y,deg\n0,zero,0\n", PART, "line 2: y"),
         ('x,y,deg\n"0,5",0,0\n', PART, "line 2: x: '0,5' is not a decimal number"),
         ("x,y,deg\n0,0\n", PART, "line 2: 2 cells of 3"),
@@ -123,7 +123,7 @@ def test_parts_are_chosen_by_name(read: Read) -> None:
         ("x,y,deg\n", PART, "a table without rows"),
         ("part,x,y\nother,0,0\n", PART, "line 2: no part has the name 'other'; there are 'tile'"),
         ("x,y,flip\n0,0,maybe\n", PART, "line 2: mirrored: 'maybe' is neither true nor false"),
-        ("x,y\n0,0\n", '{"parts": [], "placements": []}', "has the outline of its parts"),
+        ("x,y\n0,0\n", '{"parts": [], "placements": []}', "reads the outlines of its parts"),
     ],
 )
 def test_unreadable_tables_are_rejected_with_the_line(

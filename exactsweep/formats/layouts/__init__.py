@@ -1,4 +1,4 @@
-"""Readers of the layouts of nesting programs, which return Layout JSON with exact numbers."""
+"""Readers of layouts from nesting programs; they return Layout JSON with exact numbers."""
 
 from exactsweep.formats.layouts.found import FoundLayout
 from exactsweep.formats.layouts.reading import parse_layouts, read_layout, read_layouts

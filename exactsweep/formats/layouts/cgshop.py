@@ -1,7 +1,7 @@
 """JSON of the CG:SHOP challenge 2024, maximum polygon packing.
 
-A polygon is a list of x and a list of y; solutions only translate it. At most `quantity` of an item
-may be placed, and none need be. A solution has no polygons: its instance has them.
+A polygon is a list of x and a list of y; solutions only translate it. Up to `quantity` copies of
+each item may be placed. Only the instance contains the polygons.
 
 Source: the verifier of the challenge, `CG-SHOP/pyutils24`.
 """

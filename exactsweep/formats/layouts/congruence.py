@@ -1,4 +1,4 @@
-"""Congruent regions: the rotation and the translation that map one region to another."""
+"""Rigid maps between congruent regions."""
 
 from __future__ import annotations
 
@@ -17,14 +17,14 @@ _EdgeShape = tuple[Fraction, Fraction, Fraction]
 
 
 class Congruence(NamedTuple):
-    """A map of a part: mirrored (x to -x) first, turned about the origin, then moved.
+    """A map of a part: mirroring (x to -x), then rotation about the origin, then translation.
 
     Attributes:
         mirrored: whether the part is mirrored.
         turn: the cosine and the sine.
-        move: the move.
-        exact: whether the map takes the part to the region exactly; otherwise vertices are at most
-            a millionth of the size of the part apart.
+        move: the translation.
+        exact: whether the map is exact; otherwise vertices differ by at most a millionth of the
+            size of the part.
     """
 
     mirrored: bool
@@ -34,13 +34,9 @@ class Congruence(NamedTuple):
 
 
 def find_congruence(part: Region, drawn: Region) -> Congruence | None:
-    """Find a map from a part to a region, exact or else approximate.
+    """Find a map from a part to a region, preferably an exact one.
 
-    Args:
-        part: a Region.
-        drawn: another one.
-
-    Cost: O(n^2) for exteriors of n vertices; O(n) for most pairs that are not congruent.
+    Cost: O(n^2) for exteriors with n vertices; O(n) for most pairs that are not congruent.
 
     Example:
         >>> part = Region([(0, 0), (2, 0), (2, 1)])
@@ -59,7 +55,7 @@ def find_congruence(part: Region, drawn: Region) -> Congruence | None:
 
 
 def find_rounded_congruence(part: RoundedOutline, drawn: RoundedOutline) -> Congruence | None:
-    """Find a map from a rounded outline to another one, exact if neither has an error.
+    """Find a map between rounded outlines, exact if neither has an error.
 
     >>> discs = [RoundedOutline((Point(Fraction(k), Fraction(0)),), Fraction(1)) for k in (0, 2)]
     >>> find_rounded_congruence(*discs).move
@@ -105,7 +101,7 @@ def _list_maps(part: Region, drawn: Region, *, mirrored: bool) -> Iterator[Congr
 
 
 def _follows(ring: Sequence[Point], other: Polygon, room: float) -> bool:
-    """Decide whether each vertex of a ring is close to one of another ring of as many."""
+    """Return whether two rings have equally many vertices, each close to one of the other ring."""
     if len(ring) != len(other):
         return False
     return all(
@@ -129,7 +125,7 @@ def _edge(ring: Sequence[Point], k: int) -> tuple[Fraction, Fraction]:
 
 
 def _list_corners(ring: Sequence[Point]) -> list[_EdgeShape]:
-    """List the squared length of each edge, and its dot and cross product with the next one."""
+    """List the squared length of each edge, and its dot and cross product with the next edge."""
     edges = [_edge(ring, k) for k in range(len(ring))]
     return [
         (x * x + y * y, x * u + y * v, x * v - y * u)

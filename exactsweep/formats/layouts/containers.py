@@ -1,4 +1,4 @@
-"""The containers among the outlines of a drawing, and the outlines in each."""
+"""Recognition of the containers in a drawing."""
 
 from __future__ import annotations
 
@@ -26,10 +26,10 @@ class Sheet(NamedTuple):
     """A container of a drawing.
 
     Attributes:
-        container: its outline; None if there is none.
+        container: its outline, or None.
         defects: outlines that no part may overlap.
-        outlines: the other outlines on it.
-        copies: further outlines equal to the container on its layer.
+        outlines: the other outlines in it.
+        copies: duplicates of the container on its layer.
     """
 
     container: Candidate | None
@@ -41,20 +41,20 @@ class Sheet(NamedTuple):
 def find_sheets(outlines: Sequence[Candidate], container: str | None) -> list[Sheet]:
     """Find the containers of a drawing, and assign all other outlines to them.
 
-    A container is the outline of the given name, index or layer, or the outermost one of the given
-    group; else the only one on a layer that is called sheet, bin, board, container or stock; else
-    the one whose box is around all others; else those with such a name, class or layer; else the
-    largest one, if it holds the centers of all other boxes. Other outlines on the layer of a
-    container that has such a name, or was given, and in a given group are defects, but equal
-    outlines on one layer are one container. Names are compared without case.
+    If `container` is None, the container is the only outline on a layer named sheet, bin, board,
+    container or stock; else the one whose box contains all others; else those with such a name,
+    class or layer; else the largest one, if it contains the centers of all other boxes. Other
+    outlines in the given group, or on a layer that is given or has such a name, are defects. Case
+    is ignored.
 
     Args:
-        outlines: those of a drawing.
-        container: the name, index, layer or group of the container, if it is known.
+        outlines: the outlines of a drawing.
+        container: the name, index or layer of the container, or a group whose outermost outline it
+            is; None to find it.
 
     Raises:
-        FormatError: no outline is a container, or none has the given name; the message lists the
-            candidates.
+        FormatError: there is no container, or none with the given name; the message lists the
+            largest outlines.
 
     Cost: linear for each container.
     """
@@ -120,7 +120,7 @@ def _list_marked(outlines: Sequence[Candidate], container: str | None) -> list[C
     if grouped and not any(choice in (one.name, one.layer) for one in outlines):
         around = _find_around(grouped, {id(one): _bound(one) for one in grouped})
         if around is None:
-            raise FormatError(f"no outline of the group {quote(choice)} is around its others")
+            raise FormatError(f"no outline of the group {quote(choice)} contains the others")
         return [around]
     found = select(outlines, choice)
     if len(found) > 1 and all(one.name == choice for one in found):
@@ -145,7 +145,7 @@ def _bound(outline: Candidate) -> _Spread:
 
 
 def _find_around(outlines: Iterable[Candidate], boxes: dict[int, _Spread]) -> Candidate | None:
-    """Find the only outline, but for copies, whose box is around all others."""
+    """Find the outline whose box contains all others, if all such outlines are copies of it."""
     lefts, lows, rights, highs = zip(*boxes.values(), strict=True)
     whole = min(lefts), min(lows), max(rights), max(highs)
     found = [one for one in outlines if boxes[id(one)] == whole]
@@ -153,7 +153,7 @@ def _find_around(outlines: Iterable[Candidate], boxes: dict[int, _Spread]) -> Ca
 
 
 def _is_copy(one: Candidate, other: Candidate) -> bool:
-    """Decide whether two outlines have the same layer, edges and error."""
+    """Return whether two outlines have the same layer, edges and error."""
     alike = one.layer == other.layer and one.error == other.error
     return alike and _list_edges(one) == _list_edges(other)
 
@@ -171,14 +171,14 @@ def _meet(one: _Spread, other: _Spread) -> bool:
 
 
 def _holds(sheet: _Spread, box: _Spread) -> bool:
-    """Decide whether a box has its center in another one."""
+    """Return whether the center of a box is in a sheet."""
     left, low, right, high = sheet
     west, south, east, north = box
     return 2 * left <= west + east <= 2 * right and 2 * low <= south + north <= 2 * high
 
 
 def _find_sheet(box: _Spread, sheets: Sequence[Sheet], boxes: dict[int, _Spread]) -> Sheet:
-    """Find the sheet that holds a box, or that it meets; else the first one."""
+    """Find the sheet that contains the center of a box, else one that meets it, else the first."""
     for test in (_holds, _meet):
         for sheet in sheets:
             if test(boxes[id(sheet.container)], box):
@@ -193,6 +193,6 @@ def _list_candidates(largest: Sequence[Candidate], boxes: dict[int, _Spread]) ->
         size = f"{show_number(right - left)} x {show_number(high - low)}"
         listed.append(f"{tell_place(one)}, {size}")
     return (
-        "no outline is around all others; name the container (--container). The largest are "
+        "no outline contains all others; name the container (--container). The largest are "
         f"{'; '.join(listed)}"
     )

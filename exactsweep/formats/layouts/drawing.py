@@ -1,4 +1,4 @@
-"""Layouts of drawings: each outline is a placed part, or a hole of one."""
+"""Layouts from drawings: each outline is a placed part or a hole."""
 
 from __future__ import annotations
 
@@ -38,17 +38,17 @@ _LINE = re.compile(r"line \d+")
 def draw_layouts(
     text: str, container: str | Literal[False] | None, reading: Reading
 ) -> list[FoundLayout]:
-    """Make a layout of each container of a drawing; see `find_sheets`.
+    """Make a layout for each container of a drawing; see `find_sheets`.
 
     Args:
         text: the drawing.
-        container: the name, index or layer of the container, if it is known; False for none.
-        reading: its settings; outlines are nested unless `nested` is False.
+        container: as for `find_sheets`; False for no container.
+        reading: the settings; outlines are nested unless `nested` is False.
 
     Raises:
-        FormatError: an outline cannot be read: without it the layout might be wrong.
+        FormatError: an outline cannot be read; omitting it might falsify the verdict.
 
-    Cost: linear, and that of `nest_outlines`.
+    Cost: linear, plus that of `nest_outlines`.
     """
     flat = reading.without_nesting()
     flat.apart = reading.nested is not False
@@ -79,7 +79,7 @@ def draw_layouts(
     unchecked = _list_open(plain, [part for found in nests for part in found.outlines])
     if all(not sheet.outlines for sheet in sheets):
         raise FormatError("only one outline found; a layout needs a container and parts")
-    # Pixels are what SVG has where it states no unit.
+    # SVG without a unit is in pixels.
     sizes = {size: name for name, size in UNITS.items() if name != "px"}
     unit = sizes.get(drawn.coordinates.unit or Fraction(0), "")
     found = []
@@ -98,13 +98,10 @@ def draw_layouts(
 
 
 def _list_open(outlines: Sequence[Candidate], parts: Sequence[Candidate]) -> list[str]:
-    """Name the open shapes that are engraving, and no part of an outline.
-
-    Engraving is on a layer without closed outlines, or all of its points are on one part, outside
-    its holes.
+    """Describe engraving: open shapes on a layer without closed outlines, or inside one part.
 
     Raises:
-        FormatError: another shape is open: without it the layout might be wrong.
+        FormatError: another shape is open; omitting it might falsify the verdict.
     """
     layers = {one.layer for one in outlines if not one.fault}
     shapes = [[ring.vertices() for ring in (one, *one.holes())] for one in parts]
@@ -133,7 +130,7 @@ def _list_open(outlines: Sequence[Candidate], parts: Sequence[Candidate]) -> lis
 
 
 def _is_on(points: Sequence[Point], rings: Sequence[Sequence[Point]]) -> bool:
-    """Decide whether all points are inside a shape; an outline of its own is elsewhere."""
+    """Return whether all points are inside a shape."""
     return all(is_inside(point, rings) for point in points)
 
 
@@ -177,7 +174,7 @@ def _make_layout(sheet: Sheet, found: Nested) -> FoundLayout:
 def _flatten(
     drawn_as: Mapping[str | None, Candidate], names: Collection[str | None], tolerance: Fraction
 ) -> Mapping[str | None, Data]:
-    """Find shapes with finer lines; skip those that are invalid."""
+    """Flatten shapes at another tolerance; skip invalid ones."""
     found: dict[str | None, Data] = {}
     for name in names:
         finer = drawn_as[name].finer if name in drawn_as else None
@@ -188,13 +185,13 @@ def _flatten(
 
 
 def _name_part(outline: Candidate, k: int) -> str:
-    """Return the name or the layer of an outline; its number on the first layer of DXF."""
+    """Return the name or the layer of an outline, or its index on the default layer of DXF."""
     layer = outline.layer if outline.layer != "0" else None
     return outline.name or layer or str(k)
 
 
 def _tell_holes(found: Nested) -> list[str]:
-    """Count outlines that became holes: a part on another one is drawn like a hole."""
+    """Report outlines read as holes, since overlapping parts look alike."""
     if not found.holes:
         return []
     first = ", ".join(f"{tell_place(one)} in {tell_place(other)}" for one, other in found.holes[:2])
@@ -206,7 +203,7 @@ def _tell_holes(found: Nested) -> list[str]:
 
 
 def _find_lookalikes(found: Nested) -> list[str]:
-    """Name holes congruent to a part, which may be parts on top of others."""
+    """Report holes that have the size of a part, and may be overlapping parts."""
     shapes = {_measure(one.vertices()): one for one in reversed(found.outlines)}
     alike = [
         (one, around, shapes[shape])
@@ -221,7 +218,7 @@ def _find_lookalikes(found: Nested) -> list[str]:
 
 
 def _find_artwork(found: Nested) -> list[str]:
-    """Name a hole on another layer than its part, with a part of that layer in it."""
+    """Report a hole on another layer than its part, with a part on the latter layer in it."""
     around = {id(hole): part for hole, part in found.holes}
     doubtful = [
         (hole, around[id(hole)], inner)
@@ -237,7 +234,7 @@ def _find_artwork(found: Nested) -> list[str]:
 
 
 def _measure(ring: Sequence[Point]) -> tuple[int, str]:
-    """Measure a ring independently of moves and turns, which round its vertices."""
+    """Return a measure of a ring that rigid motions with rounding preserve."""
     area = abs(Fraction(find_doubled_area(ring)))
     digits = f"{area.numerator / area.denominator:.6e}" if area < Fraction(10) ** 300 else ""
     return len(ring) - (ring[0] == ring[-1]), digits

@@ -1,4 +1,4 @@
-"""Layouts found in a file, and the instance that they answer."""
+"""Layouts found in a file, and their instance."""
 
 from __future__ import annotations
 
@@ -21,11 +21,11 @@ from exactsweep.numbers.number import Point
 _INDEX = re.compile(r"\[\d+\]")
 
 STANDING: Data = {"turn": "0", "move": ["0", "0"]}
-"""The placement of a part that is placed as drawn."""
+"""The identity placement."""
 
 
 Flatten = Callable[[Collection[str | None], Fraction], Mapping[str | None, Data]]
-"""A function that finds finer shapes, as `FoundLayout.flatten`."""
+"""The type of `FoundLayout.flatten`."""
 
 
 class FoundLayout(NamedTuple):
@@ -34,13 +34,12 @@ class FoundLayout(NamedTuple):
     Attributes:
         name: its name among several; "" for the only one.
         data: Layout JSON, for `exactsweep.layout.Layout.from_json`.
-        notes: remarks of the reader, a sentence each.
-        unchecked: rules and shapes that are not judged, a phrase each.
-        places: the place of each placement in the file, such as "line 7"; empty if unknown.
-        unit: the unit of the file's lengths, such as "mm"; "" if unknown.
-        flatten: finds the shapes of some parts, by id, and of the container, None, with curves
-            flattened at another tolerance; those that it cannot find are skipped. None if no
-            curve was read.
+        notes: remarks of the reader.
+        unchecked: rules and shapes that are not judged.
+        places: the location of each placement in the file, such as "line 7"; empty if unknown.
+        unit: the unit of length, such as "mm"; "" if unknown.
+        flatten: flattens some parts, by id, and the container, by None, at another tolerance,
+            skipping those it cannot flatten; None if there are no curves.
     """
 
     name: str
@@ -53,19 +52,19 @@ class FoundLayout(NamedTuple):
 
 
 class NestingInstance(NamedTuple):
-    """The question that a layout answers.
+    """The problem that a layout solves.
 
     Attributes:
-        kind: "jagua", "packingsolver" or "cgshop", after the program whose format it is.
-        parts: by id, each as in Layout JSON, with the maximum number of placements as its demand.
-        least: by id, the minimum number of placements.
-        containers: by id, each as in Layout JSON; none where a strip has a free width.
-        rest: members that are copied to each layout: "spacing", "margin".
+        kind: the format, "jagua", "packingsolver" or "cgshop".
+        parts: Layout JSON by id, with the maximum number of placements as the demand.
+        least: the minimum number of placements by id.
+        containers: Layout JSON by id; empty for a strip with variable width.
+        rest: members for each layout: "spacing", "margin".
         notes: remarks of the reader.
-        unchecked: rules that are not judged, a phrase each.
-        height: that of a strip with a free width.
-        width: the greatest one of that strip, if there is one.
-        stock: by id, how many containers there are; none where any number may be used.
+        unchecked: rules that are not judged.
+        height: the height of a strip with variable width.
+        width: the maximum width of that strip, or None.
+        stock: the available number of containers by id; unlimited if missing.
     """
 
     kind: str
@@ -81,14 +80,12 @@ class NestingInstance(NamedTuple):
 
 
 class FilledSheet(NamedTuple):
-    """A container with its placements, before parts and demands are added.
+    """A container with its placements, in Layout JSON, without parts and demands.
 
     Attributes:
-        container: as in Layout JSON.
-        placements: as in Layout JSON.
-        copies: how many such sheets there are.
-        rest: members of this layout alone: "spacing", "margin".
-        places: the place of each placement in the file; empty if unknown.
+        copies: the number of identical sheets.
+        rest: members of this layout only: "spacing", "margin".
+        places: as for `FoundLayout`.
     """
 
     container: Data
@@ -104,13 +101,11 @@ def make_layouts(
     notes: Sequence[str] = (),
     unchecked: Sequence[str] = (),
 ) -> list[FoundLayout]:
-    """Make a layout of each sheet.
+    """Make a layout for each sheet.
 
-    The sheets share one demand. Each demands the parts placed on it, up to the remaining demand;
-    the last one also demands those that are still missing. So the total is right exactly if no
-    sheet has missing or surplus parts. A layout has the parts that are placed or demanded.
-
-    Cost: linear.
+    The sheets share the demand: each demands the parts placed on it, up to the remaining demand,
+    and the last one also demands the parts still missing. So the total demand is satisfied if and
+    only if no sheet has missing or surplus parts. A layout has the parts placed or demanded on it.
     """
     order = {name: k for k, name in enumerate(instance.parts)}
     spare = {name: part.get("demand") for name, part in instance.parts.items()}
@@ -142,7 +137,7 @@ def make_layouts(
 
 
 def compare_stock(used: Counter[str], instance: NestingInstance) -> list[str]:
-    """Name the containers that are used more often than in stock."""
+    """Report the containers used more often than in stock."""
     return [
         f"container {name}: {number} used, {instance.stock[name]} in stock"
         for name, number in used.items()
@@ -151,14 +146,14 @@ def compare_stock(used: Counter[str], instance: NestingInstance) -> list[str]:
 
 
 def require_instance(known: NestingInstance | None, kind: str, lacking: str) -> NestingInstance:
-    """Return the instance of a solution; raises FormatError if it is missing or of another kind."""
+    """Return the instance; raises FormatError if it is missing or of another kind."""
     if known is None or known.kind != kind:
-        raise FormatError(f"a solution without its {lacking}, which its instance has (--instance)")
+        raise FormatError(f"the solution has no {lacking}; --instance FILE reads its instance")
     return known
 
 
 def require_within_strip(container: Data, instance: NestingInstance, place: str) -> None:
-    """Raise FormatError if a container is wider or higher than the strip of an instance."""
+    """Raise FormatError if a container is larger than the strip of its instance."""
     for axis, (length, larger) in enumerate(
         ((instance.width, "wider"), (instance.height, "higher"))
     ):
@@ -168,14 +163,14 @@ def require_within_strip(container: Data, instance: NestingInstance, place: str)
 
 
 def find_named(things: Mapping[str, Any], name: JsonNode, what: str) -> Any:
-    """Return the item of a name; raises FormatError if it is missing."""
+    """Return the item with a name; raises FormatError if it is missing."""
     if name.name not in things:
         raise FormatError(f"{name.path}: there is no {what} {quote(name.name)}")
     return things[name.name]
 
 
 def write_rings(outline: Candidate) -> Data:
-    """Write an outline and its holes as Layout JSON has them; crossings are for the judge."""
+    """Convert an outline with holes to Layout JSON; the judge reports crossings."""
     if outline.rounded is not None and not outline.holes():
         return write_rounded(outline.rounded)
     holes = [write_ring(hole.vertices()) for hole in outline.holes()]
@@ -184,7 +179,7 @@ def write_rings(outline: Candidate) -> Data:
 
 
 def write_union(outlines: Sequence[Candidate]) -> Data:
-    """Write separate outlines as one rigid part of convex pieces."""
+    """Convert separate outlines to one rigid part with convex pieces."""
     shapes = [*map(write_rings, outlines)]
     if len(shapes) == 1:
         return shapes[0]
@@ -202,14 +197,14 @@ def write_union(outlines: Sequence[Candidate]) -> Data:
 
 
 def write_rounded(outline: RoundedOutline) -> Data:
-    """Write a rounded outline as Layout JSON has it."""
+    """Convert a rounded outline to Layout JSON."""
     points, radius = write_ring(outline.points), format_fraction(outline.radius)
     error = {"error": format_fraction(outline.error)} if outline.error else {}
     return {"pieces": [{"points": points, "radius": radius}], **error}
 
 
 def read_rounded(part: Data) -> RoundedOutline | None:
-    """Read what `write_rounded` wrote; None for rings."""
+    """Read the result of `write_rounded`; return None for rings."""
     if "pieces" not in part:
         return None
     (piece,) = part["pieces"]
@@ -218,7 +213,7 @@ def read_rounded(part: Data) -> RoundedOutline | None:
 
 
 def list_unknown(nodes: Iterable[JsonNode], *known: str) -> list[str]:
-    """List the unknown members of objects, each once, as a phrase."""
+    """List the unknown members of objects, without duplicates."""
     found = {
         f"{_INDEX.sub('', node.path).removeprefix('$').removeprefix('.')}.{name}".removeprefix(".")
         for node in nodes

@@ -1,4 +1,4 @@
-"""Instances of nesting programs, and their parts as polygons."""
+"""Nesting instances, and their parts as polygons."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from exactsweep.formats.reading import Reading
 
 
 def read_instance(document: JsonNode, reading: Reading) -> NestingInstance | None:
-    """Read the instance of a nesting program; None if no known program wrote it."""
+    """Read a nesting instance; return None for an unknown format."""
     if document.has("item_types"):
         return packingsolver.read_instance(document, reading)
     if document.get("type", "").value == "cgshop2024_instance":
@@ -22,7 +22,7 @@ def read_instance(document: JsonNode, reading: Reading) -> NestingInstance | Non
 
 
 def read_parts(document: object, reading: Reading) -> list[Candidate] | None:
-    """Find the parts of an instance; None if the document is none."""
+    """Find the parts of an instance; return None for other documents."""
     found = read_instance(JsonNode(document), reading)
     if found is None:
         return None

@@ -1,4 +1,4 @@
-"""The parts of a drawing or a folder as the instance of a layout: which are missing or changed."""
+"""Comparison of a layout with an inventory: the parts in a drawing or a folder."""
 
 from __future__ import annotations
 
@@ -31,8 +31,6 @@ class WantedPart(NamedTuple):
     """A part to be placed.
 
     Attributes:
-        name: its name.
-        region: its shape.
         error: the error of its curves.
         number: the required number of placements.
         rounded: its hull and radius, if it is a rounded outline.
@@ -45,7 +43,7 @@ class WantedPart(NamedTuple):
     rounded: RoundedOutline | None = None
 
     def write_shape(self) -> Data:
-        """Write the shape as Layout JSON has it."""
+        """Convert the shape to Layout JSON."""
         if self.rounded is not None:
             return write_rounded(self.rounded)
         holes = [write_ring(hole.vertices) for hole in self.region.holes]
@@ -53,9 +51,9 @@ class WantedPart(NamedTuple):
         return shape | ({"error": format_fraction(self.error)} if self.error else {})
 
     def find_map(self, part: Data) -> Congruence | None:
-        """Find the map that takes it to a part of Layout JSON; None for another shape.
+        """Find the map to a part of Layout JSON; return None if they are not congruent.
 
-        Raises PolygonError if the rings of the part bound no region.
+        Raises PolygonError if the rings of the part do not bound a region.
         """
         if len(part.get("pieces", ())) > 1:
             return None
@@ -68,7 +66,7 @@ class WantedPart(NamedTuple):
 
 
 def read_inventory(path: str, reading: Reading) -> list[WantedPart]:
-    """Read the parts of a file, folder or pattern; congruent parts of one are counted.
+    """Read the parts of a file, folder or pattern; congruent parts are counted as one.
 
     Raises:
         FormatError: a part cannot be read.
@@ -94,16 +92,15 @@ def read_inventory(path: str, reading: Reading) -> list[WantedPart]:
         else:
             found.append(wanted)
     if not found:
-        raise FormatError(f"{show_path(path)}: neither an instance of a nesting program nor parts")
+        raise FormatError(f"{show_path(path)}: neither a nesting instance nor parts")
     return found
 
 
 def compare_inventory(found: FoundLayout, wanted: Sequence[WantedPart]) -> FoundLayout:
-    """Make a layout of the wanted parts: those that are missing, surplus or changed are faults.
+    """Make a layout of the wanted parts, so that missing, surplus or changed parts are faults.
 
-    Each part of the layout that is congruent with a wanted one becomes this one, turned and
-    mirrored as it is drawn. A part that has nearly this shape counts as it, too, but is judged as
-    it is drawn. Others keep their shape and are surplus.
+    A part of the layout congruent to a wanted part is replaced by a placement of it. A nearly
+    congruent part also satisfies the demand, but keeps its shape. Other parts are surplus.
     """
     parts: dict[str, Data] = {part["id"]: part for part in found.data["parts"]}
     used = Counter(placement["part"] for placement in found.data["placements"])
@@ -161,7 +158,7 @@ def compare_inventory(found: FoundLayout, wanted: Sequence[WantedPart]) -> Found
 def _find_match(
     part: Data, wanted: Sequence[WantedPart], left: dict[str, int]
 ) -> tuple[WantedPart, Data | None] | None:
-    """Find the wanted part congruent to a part, and its placement if exactly congruent."""
+    """Find the wanted part for a part of the layout, and its placement if exactly congruent."""
     found: tuple[WantedPart, Data | None] | None = None
     for one in sorted(wanted, key=lambda one: not _is_named(part["id"], one.name)):
         try:
@@ -178,7 +175,7 @@ def _find_match(
 
 
 def _is_alike(wanted: WantedPart, part: Data) -> bool:
-    """Decide whether a wanted part and a curved shape have the same area within their errors."""
+    """Return whether a wanted part and a curved shape have equal areas within their errors."""
     error = wanted.error + Fraction(str(part.get("error", 0)))
     if not error or "pieces" in part:
         return False
@@ -194,7 +191,7 @@ def _is_alike(wanted: WantedPart, part: Data) -> bool:
 
 
 def _is_named(name: str, wanted: str) -> bool:
-    """Decide whether a name is a wanted one, optionally with a copy number."""
+    """Return whether a name is a wanted one, optionally with a copy number."""
     return name == wanted or name.rpartition("-")[0] == wanted
 
 

@@ -1,12 +1,12 @@
 """JSON of sparrow, jagua-rs and spyrrow.
 
-An instance has items with a demand and orientations in degrees, any where none are listed, and a
-strip or bins. A solution turns items counter-clockwise about their origin, then moves them. From
-version 1.0.0 on, an instance has the least distance of items from each other and from the
-container, and each item an `orientation`: its rotations, and the axes about which it may be
-reflected before. A `reflected` placement is mirrored in the X axis before it is turned. spyrrow
-writes no file: the attributes of its solution are the members here. All convert an angle of the
-instance to radians and back in single precision: 30 degrees become 30.000002.
+An instance has a strip or bins, and items with a demand and allowed orientations in degrees (all if
+missing). A solution rotates items counter-clockwise about their origin, then translates them. Since
+version 1.0.0, an instance has a minimum distance between items and from the container, and each
+item an `orientation`: its rotations, and the axes of reflections before them. A `reflected`
+placement is mirrored in the X axis before its rotation. spyrrow writes no files; its solutions have
+these members as attributes. All three programs convert angles to radians and back in single
+precision: 30 degrees become 30.000002.
 
 Source: `io/ext_repr.rs` and `probs/*/io/ext_repr.rs` of jagua-rs, `util/io.rs` of sparrow, `lib.rs`
 of spyrrow.
@@ -46,7 +46,7 @@ _SOLUTION = (
 )
 _PLACED = "item_id", "id", "transformation", "rotation", "translation", "reflected"
 _MOST_TURNS = 65_536
-# Angles in single precision are as near.
+# Maximum rounding of angles in single precision, in degrees.
 _NEARLY = Fraction(1, 10_000)
 
 
@@ -60,7 +60,7 @@ def read_instance(document: JsonNode) -> NestingInstance:
     for item in (document / "items").each():
         name = (item / "id").name
         if name in parts:
-            raise FormatError(f"{item.path}.id: the id {quote(name)} is there twice")
+            raise FormatError(f"{item.path}.id: duplicate id {quote(name)}")
         part = {"id": name, **_shape(item / "shape"), "demand": (item / "demand").whole}
         part["mirrored"] = False
         if item.has("orientation"):
@@ -70,7 +70,7 @@ def read_instance(document: JsonNode) -> NestingInstance:
             turns = [turn.number for turn in (item / "allowed_orientations").each()]
             part["turns"] = turns or ["0"]
         if item.has("min_quality"):
-            unchecked.append(f"the least quality of item {name}")
+            unchecked.append(f"the minimum quality of item {name}")
         parts[name] = part
     for bin in document.get("bins", []).each():
         containers[(bin / "id").name] = _container(bin, unchecked)
@@ -91,7 +91,7 @@ def read_instance(document: JsonNode) -> NestingInstance:
 
 
 def _read_orientation(orientation: JsonNode) -> Data:
-    """Read the allowed turns, and those of reflected copies, as in Layout JSON."""
+    """Convert the allowed rotations, also of reflected copies, to Layout JSON."""
     rotation = orientation / "rotation"
     mode = (rotation / "mode").name
     axes = [axis.fraction for axis in orientation.get("reflection_axes", []).each()]
@@ -105,13 +105,13 @@ def _read_orientation(orientation: JsonNode) -> Data:
         number = round(360 / step) if step > 0 else 0
         if not 0 < number <= _MOST_TURNS or abs(number * step - 360) > _NEARLY:
             raise FormatError(f"{rotation.path}.step does not divide 360 degrees")
-        # Of a step such as 51.428571 the exact one is meant.
+        # A step such as 51.428571 means the exact quotient.
         angles = [Fraction(360 * k, number) for k in range(number)]
         turns = [(angle, format_fraction(angle)) for angle in angles]
     else:
-        raise FormatError(f"{rotation.path}.mode: {quote(mode)} is no mode of rotation")
+        raise FormatError(f"{rotation.path}.mode: {quote(mode)} is not a rotation mode")
     found["turns"] = [written for _, written in turns]
-    # Mirrored at the Y axis, turned by 180 degrees, is mirrored at the X axis.
+    # Mirroring in the Y axis and rotating by 180 degrees is mirroring in the X axis.
     mirrored = sorted({(angle + 2 * axis + 180) % 360 for angle, _ in turns for axis in axes})
     if mirrored and set(mirrored) != {angle % 360 for angle, _ in turns}:
         found["mirrored_turns"] = [format_fraction(angle) for angle in mirrored]
@@ -119,12 +119,12 @@ def _read_orientation(orientation: JsonNode) -> Data:
 
 
 def read_solution(document: JsonNode, known: NestingInstance | None) -> list[FoundLayout]:
-    """Read a solution; it is the document, or its member "solution"."""
+    """Read a solution: the document, or its member "solution"."""
     instance = require_instance(known, "jagua", "items")
     solution = document.either("solution")
     containers, used = dict(instance.containers), Counter[str]()
     for one in solution.get("containers", []).each():
-        # A solution cuts its sheets from a strip; those of an instance are as that says.
+        # The solution states the sheets cut from a strip, the instance all others.
         if instance.height is not None:
             sheet = containers[(one / "id").name] = _container(one, [])
             require_within_strip(sheet, instance, one.path)
@@ -167,7 +167,7 @@ def _placed(layout: JsonNode) -> list[Data]:
 
 
 def _allow_rounded(instance: NestingInstance, placements: Iterable[Data]) -> Iterator[str]:
-    """Allow turns that equal allowed ones after the program's rounding, and name them."""
+    """Allow rotations that equal allowed ones after rounding, and yield notes on them."""
     exact: dict[tuple[str, str], set[Fraction]] = {
         (name, key): {Fraction(turn) % 360 for turn in part[key]}
         for name, part in instance.parts.items()
@@ -190,29 +190,29 @@ def _allow_rounded(instance: NestingInstance, placements: Iterable[Data]) -> Ite
 
 
 def _is_rounded(degrees: str, written: str) -> bool:
-    """Decide whether a turn equals another one after the program's rounding."""
+    """Return whether a rotation equals an allowed one after rounding."""
     return _round(degrees) == _read_single(written)
 
 
 def _is_near(degrees: str, written: str) -> bool:
-    """Decide whether a turn is nearly another one, up to whole turns."""
+    """Return whether two rotations are nearly equal modulo 360 degrees."""
     apart = (Fraction(degrees) - Fraction(written)) % 360
     return min(apart, 360 - apart) <= _NEARLY
 
 
 def _round(degrees: str) -> float:
-    """Convert degrees to radians and back, as the program does in single precision."""
+    """Convert degrees to radians and back in single precision, like the program."""
     radians = c_float(_read_single(degrees) * c_float(c_float(pi).value / 180).value).value
     return c_float(radians * c_float(180 / pi).value).value
 
 
 def _read_single(number: str) -> float:
-    """Read a number in single precision; a fraction, which no program writes, as NaN."""
+    """Read a number in single precision; fractions become NaN."""
     return nan if "/" in number else c_float(float(number)).value
 
 
 def _container(value: JsonNode, unchecked: list[str]) -> Data:
-    """Read a container, whose zones of quality 0 are holes."""
+    """Read a container; zones of quality 0 are holes."""
     found = _shape(value / "shape")
     for zone in value.get("zones", []).each():
         quality = (zone / "quality").whole
@@ -236,4 +236,4 @@ def _shape(value: JsonNode) -> Data:
     if kind == "polygon":
         holes = [hole.ring for hole in data.get("inner", []).each()]
         return write_shape((data / "outer").ring, holes)
-    raise FormatError(f"{value.path}: a shape of type {quote(kind)} is not one part")
+    raise FormatError(f"{value.path}: shapes of type {quote(kind)} are not supported")

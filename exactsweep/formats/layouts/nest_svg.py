@@ -1,9 +1,9 @@
-"""SVG as nesting programs write it: parts in groups or by `use`, each moved and turned.
+"""SVG of nesting programs, whose parts have exact translations and rotations.
 
 sparrow and jagua-rs draw the container as a group `container_N`, formerly `bin_N`, and place
-definitions `item_K` by `use`. SVGnest and Deepnest put each part into a group of its own, next to
-a sheet of class `bin`, or with a stroke of #00ff00. All write `translate(x y) rotate(degrees)` and
-apply the rotation first. Angles are kept as written, so none needs a tolerance.
+definitions `item_K` by `use`. SVGnest and Deepnest write a group for each part, next to a sheet of
+class `bin` or with a stroke of #00ff00. All write `translate(x y) rotate(degrees)`; the rotation
+applies first.
 
 Source: `io/svg/layout_to_svg.rs` of jagua-rs, `svgnest.js` of SVGnest, `export.service.ts` of
 Deepnest.
@@ -45,12 +45,12 @@ def read_nest(
     """Read the SVG of a nesting program.
 
     Args:
-        root: of the document, as `parse_xml` parsed it.
-        reading: how its shapes are read.
-        containers: those of an instance, by id, which override the drawn ones.
+        root: the root of a document from `parse_xml`.
+        reading: the settings.
+        containers: the containers of an instance, by id; they override the drawn ones.
 
     Returns:
-        The parts, without demands, and the sheets; None if no known program wrote it.
+        The parts, without demands, and the sheets; None for an unknown format.
 
     Raises:
         FormatError: a part or a sheet cannot be read.
@@ -63,7 +63,7 @@ def read_nest(
 
 
 class _NestDrawing:
-    """The elements of a document where they are drawn, without hidden ones, and its parts."""
+    """The visible elements of a document, and its parts."""
 
     def __init__(self, root: Element, reading: Reading) -> None:
         self.reading = reading
@@ -81,7 +81,7 @@ class _NestDrawing:
         self.named = {e.attrib["id"]: e for e in reversed(self.placed) if "id" in e.attrib}
 
     def one_shape(self, elements: Iterable[Element], within: Element) -> Data:
-        """Read what elements inside another one draw together, without its own transformation."""
+        """Read the only shape that elements draw, without the transformation of `within`."""
         rule = self.placed[within].inherited("fill-rule", "nonzero")
         place = Element("svg", {"#line": "1", "style": f"fill-rule: {rule}"})
         place.extend(elements)
@@ -89,7 +89,7 @@ class _NestDrawing:
         found = nest_candidates(outlines) if len(outlines) > 1 else outlines
         if len(found) != 1:
             lines = ", ".join(line(element) for element in elements)
-            raise FormatError(f"line {lines}: {len(found)} outlines, which are not one part")
+            raise FormatError(f"line {lines}: {len(found)} outlines, expected one")
         return write_rings(found[0])
 
     def motion(self, element: Element) -> Data:
@@ -103,7 +103,7 @@ class _NestDrawing:
         return {"turn": turn, "move": [x, y]}
 
     def require_all(self, within: Element, read: Iterable[Element]) -> None:
-        """Reject shapes inside an element that no element already read contains."""
+        """Reject shapes inside an element that are not in any element already read."""
         known = {*read}
         for element in within.iter():
             placed, kind = self.placed[element], name_kind(element)
@@ -124,8 +124,8 @@ def _jagua(drawing: _NestDrawing, containers: Mapping[str, Data]) -> Iterator[Fi
     container = containers.get(around.attrib["id"].rpartition("_")[2])
     zones = named.get("quality_zones")
     if container is None and zones is not None and len(zones):
-        # Zones of quality 0 are defects of the container, which is drawn without them.
-        raise FormatError(f"line {line(zones)}: zones of quality are read with --instance only")
+        # Zones of quality 0 are defects, but the drawn container lacks them.
+        raise FormatError(f"line {line(zones)}: quality zones need --instance")
     container = container or drawing.one_shape([around], around)
     items, outer = placed[named["items"]], placed[around].parent
     if outer is None or items.matrix != outer.matrix:
@@ -146,7 +146,7 @@ def _jagua(drawing: _NestDrawing, containers: Mapping[str, Data]) -> Iterator[Fi
 
 
 def _nested(root: Element, drawing: _NestDrawing) -> Iterator[FilledSheet]:
-    """Read sheets of SVGnest and Deepnest; equal outlines are one part."""
+    """Read the sheets of SVGnest and Deepnest; equal outlines are one part."""
     known: dict[str, str] = {}
     read: list[Element] = []
     for group in root.iter():

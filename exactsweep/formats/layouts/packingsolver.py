@@ -1,7 +1,8 @@
 """JSON of packingsolver's irregular problems.
 
-An item is mirrored, x to -x, turned counter-clockwise about its origin, in degrees, then moved. A
-solution draws `item_shapes` in place, rounded; they are read only where no instance is given.
+An item is mirrored (x to -x), then rotated counter-clockwise about its origin, in degrees, then
+translated. A solution also contains the placed `item_shapes`, rounded; these are read only without
+an instance.
 
 Source: `irregular/instance_builder.cpp` and `irregular/solution.cpp`; `shape.hpp` of fontanf/shape.
 """
@@ -55,7 +56,7 @@ def read_instance(document: JsonNode, reading: Reading) -> NestingInstance:
     for k, item in enumerate((document / "item_types").each()):
         shapes = [*(item / "shapes").each()] if item.has("shapes") else [item]
         if len(shapes) != 1:
-            raise FormatError(f"{item.path}: {len(shapes)} shapes together are not one part")
+            raise FormatError(f"{item.path}: {len(shapes)} shapes, expected one")
         part = {"id": str(k), **_shape(shapes[0], reading), **_allowed(item, unchecked)}
         copies, few = item.get("copies", "1").whole, item.get("copies_min", "-1").whole
         if copies >= 0:
@@ -64,7 +65,7 @@ def read_instance(document: JsonNode, reading: Reading) -> NestingInstance:
         parts[str(k)] = part
     for k, bin in enumerate((document / "bin_types").each()):
         container, defects = _shape(bin, reading), []
-        # Before 2026, all bins had one spacing.
+        # Before 2026, all bins had the same spacing.
         common = parameters.get("item_bin_minimum_spacing", "0").value
         margin = bin.get("item_bin_minimum_spacing", common)
         copies = bin.get("copies", "1").whole
@@ -85,7 +86,7 @@ def read_instance(document: JsonNode, reading: Reading) -> NestingInstance:
 
 
 def read_solution(document: JsonNode, instance: NestingInstance | None) -> list[FoundLayout]:
-    """Read the bins of a solution to an instance, or as they are drawn; raises FormatError."""
+    """Read the bins of a solution, without an instance as drawn; raises FormatError."""
     if instance is None or instance.kind != "packingsolver":
         return _read_drawn(document)
     found = []
@@ -109,7 +110,7 @@ def read_solution(document: JsonNode, instance: NestingInstance | None) -> list[
 
 
 def _read_drawn(document: JsonNode) -> list[FoundLayout]:
-    """Read the bins of a solution as they are drawn in it, each item a part of its own."""
+    """Read the bins of a solution as drawn; each item is a separate part."""
     parts: dict[str, Data] = {}
     sheets = []
     for bin in (document / "bins").each():
@@ -128,7 +129,7 @@ def _read_drawn(document: JsonNode) -> list[FoundLayout]:
 
 
 def _allowed(item: JsonNode, unchecked: list[str]) -> Data:
-    """Read which turns are allowed, where they are single angles, and which ones mirrored."""
+    """Convert allowed single angles, also of mirrored items, to Layout JSON."""
     plain: list[Fraction] = []
     mirrored: list[Fraction] = []
     ranges: list[Fraction] = []
@@ -174,7 +175,7 @@ def _outline(value: JsonNode, reading: Reading, errors: list[Fraction]) -> list[
 
 
 def _drawn(value: JsonNode) -> Data:
-    """Read what a solution draws: "shape", a list of elements, and a list of these as "holes"."""
+    """Read a drawn shape: elements in "shape", and lists of elements in "holes"."""
     holes = [_drawn_ring(hole) for hole in value.get("holes", []).each()]
     return {"exterior": _drawn_ring(value / "shape"), "holes": holes}
 
@@ -184,8 +185,8 @@ def _drawn_ring(elements: JsonNode) -> list[list[str]]:
 
 
 def _join(elements: JsonNode, find_start: Callable[[JsonNode], object]) -> list[list[str]]:
-    """Read the start points of elements, which must all be line segments."""
+    """Return the start points of elements; reject arcs, whose ends are rounded."""
     for element in elements.each():
         if (element / "type").name.lower() not in ("linesegment", "line_segment", "l"):
-            raise FormatError(f"{element.path}: an arc between two rounded ends is not read")
+            raise FormatError(f"{element.path}: arcs with rounded ends are not supported")
     return JsonNode([*map(find_start, elements.each())], elements.path).ring

@@ -1,4 +1,4 @@
-"""Reader of layouts of any program; the content determines the format."""
+"""Reader of layouts; the content determines the format."""
 
 from __future__ import annotations
 
@@ -39,15 +39,7 @@ _ALLOWED = ("turns", "mirrored_turns")
 
 
 class LayoutOptions(Options, total=False):
-    """The options of a reader of layouts, as `read_layouts` has them.
-
-    Attributes:
-        instance: the instance that a solution answers.
-        container: the outline of a drawing that is the container; False for no container.
-        tolerance: how far lines may be from curves.
-        part: the file of the parts of a table of placements.
-        radians: whether the angles of a table are in radians.
-    """
+    """The options of `read_layouts`."""
 
     part: str | None
     radians: bool
@@ -58,13 +50,10 @@ class LayoutOptions(Options, total=False):
 
 @tells_arguments
 def read_layout(path: str, **options: Unpack[LayoutOptions]) -> dict[str, Any]:
-    """Read a file with a single layout, as `read_layouts` does.
-
-    Returns:
-        Layout JSON.
+    """Read a file with a single layout, like `read_layouts`; return Layout JSON.
 
     Raises:
-        FormatError: `read_layouts` raises it, or there are several layouts.
+        FormatError: as for `read_layouts`, or there are several layouts.
     """
     found = read_layouts(path, **options)
     if len(found) > 1:
@@ -74,7 +63,7 @@ def read_layout(path: str, **options: Unpack[LayoutOptions]) -> dict[str, Any]:
 
 @tells_arguments
 def parse_layouts(text: str, **options: Unpack[LayoutOptions]) -> list[FoundLayout]:
-    """Read the layouts of a text, as `read_layouts` does; the instance is a text, too.
+    """Read the layouts of a text, like `read_layouts`; the instance is also a text.
 
     Example:
         >>> found = parse_layouts(
@@ -97,23 +86,22 @@ def read_layouts(path: str, **options: Unpack[LayoutOptions]) -> list[FoundLayou
     Args:
         path: a path, or "-" for standard input, optionally with "#" and the index of a sheet.
             Layout JSON; JSON of sparrow, jagua-rs, spyrrow, packingsolver and CG:SHOP 2024; SVG of
-            sparrow, jagua-rs, SVGnest and Deepnest; or any drawing that `read_regions` reads, with
-            the outlines in place.
-        instance: the file of the instance of a solution, with demands and allowed rotations; needed
-            if the solution lacks it. Or a drawing, a file of polygons or a folder of parts, each to
-            be placed once.
-        part: the file of the parts of a table of placements; see `table`.
-        radians: whether the angles of such a table are in radians.
-        container: the container of a drawing, by name, index or layer of its outline; False for
-            no container; found automatically by default.
+            sparrow, jagua-rs, SVGnest and Deepnest; a table of placements; or any drawing that
+            `read_regions` reads, with the outlines in place.
+        instance: the instance of a solution, with demands and allowed rotations, if not in the
+            file; or a drawing, a file of polygons or a folder of parts, each to be placed once.
+        part: the file with the parts of a table of placements.
+        radians: whether angles are in radians.
+        container: the name, index, layer or group of the container in a drawing; False for no
+            container; by default it is found.
         tolerance: as for `exactsweep.formats.parse_polygons`.
         options: as for `exactsweep.formats.parse_polygons`.
 
     Returns:
-        list of FoundLayout, one for each sheet; their data is Layout JSON.
+        list of FoundLayout, one per sheet.
 
     Raises:
-        FormatError: not a layout; the message names the file and says where.
+        FormatError: not a layout; the message has the file and the location.
 
     Cost: linear in the length of the text.
     """
@@ -137,7 +125,7 @@ def read_layouts(path: str, **options: Unpack[LayoutOptions]) -> list[FoundLayou
             found = [*map(_from_radians, found)] if radians else found
         if wanted is not None:
             if len(found) > 1:
-                raise FormatError(f"{len(found)} sheets; an instance of parts is for one sheet")
+                raise FormatError(f"{len(found)} sheets; only one can be compared with parts")
             found = [compare_inventory(one, wanted) for one in found]
         if choice is None:
             return found
@@ -149,7 +137,7 @@ def read_layouts(path: str, **options: Unpack[LayoutOptions]) -> list[FoundLayou
 def _read_table(
     text: str, parts: Mapping[str, Data] | None, known: NestingInstance | None, *, radians: bool
 ) -> list[FoundLayout]:
-    """Read a table of placements; an instance has its parts, and possibly a single container."""
+    """Read a table of placements, with the parts and the only container of an instance."""
     if parts is None:
         parts = {} if known is None else known.parts
     found = read_table(text, parts, radians=radians)
@@ -161,7 +149,7 @@ def _read_table(
 
 
 def _from_radians(found: FoundLayout) -> FoundLayout:
-    """Convert the turns of placements, and those that parts allow."""
+    """Convert the rotations of placements, and the allowed ones of parts, to degrees."""
     parts = [
         {
             name: [*map(_convert_turn, value)]
@@ -181,7 +169,7 @@ def _from_radians(found: FoundLayout) -> FoundLayout:
 
 
 def _convert_turn(turn: Any) -> Any:
-    """Convert radians to degrees; a cosine and a sine stay as they are."""
+    """Convert radians to degrees; keep a cosine and sine."""
     if not isinstance(turn, str):
         return turn
     return format_fraction(to_degrees(to_fraction(turn)))
@@ -215,7 +203,7 @@ def _parse_each(
     container: _Container,
     reading: Reading,
 ) -> list[FoundLayout]:
-    """Read the layouts of a text, each with a function that flattens it more finely."""
+    """Read the layouts of a text, with a `flatten` function for those with curves."""
     found = _parse(text, known, container, reading)
     if container is False:
         found = [one._replace(data={**one.data}) for one in found]
@@ -254,7 +242,7 @@ def _parse(
     if not container and first == "{":
         found = _read_json(JsonNode(parse_json(text)), known, reading)
         if found:
-            # No such file states its unit.
+            # These formats state no unit.
             reading.scale(None)
             return found
     if not container and first == "<" and reading.unit is None:
@@ -278,10 +266,10 @@ def _parse(
 def _read_json(
     document: JsonNode, known: NestingInstance | None, reading: Reading
 ) -> list[FoundLayout]:
-    """Read a document; the result is empty if no nesting program writes such documents."""
+    """Read the layouts of a JSON document; return an empty list for an unknown format."""
     if all(map(document.has, ("parts", "placements"))):
         if known is not None:
-            raise FormatError("Layout JSON has its own parts and rules, and no instance")
+            raise FormatError("Layout JSON has its own parts and rules; omit --instance")
         return [FoundLayout("", _with_counts(document))]
     instance = known or read_instance(document, reading)
     if document.get("type", "").value == "cgshop2024_solution":
@@ -296,7 +284,7 @@ def _read_json(
 
 
 def _with_counts(document: JsonNode) -> Data:
-    """Convert demands, which `parse_json` leaves as text, to ints."""
+    """Convert demands from text to ints."""
     parts = []
     for part in (document / "parts").each():
         counts = {"demand": (part / "demand").whole} if part.has("demand") else {}
@@ -306,7 +294,7 @@ def _with_counts(document: JsonNode) -> Data:
 
 
 def _compare_parts(drawn: NestingInstance, known: NestingInstance) -> list[str]:
-    """Name the parts that differ between a drawing and its instance."""
+    """Report parts that differ between a drawing and its instance."""
     others = []
     for name, part in drawn.parts.items():
         if name not in known.parts:
@@ -320,7 +308,7 @@ def _compare_parts(drawn: NestingInstance, known: NestingInstance) -> list[str]:
 
 
 def _make_shape(part: Data) -> object:
-    """Return the region of a part, or its rings if they bound none."""
+    """Return the region of a part, or its rings if they do not bound one."""
     if "pieces" in part:
         return part["pieces"]
     rings = part["exterior"], part.get("holes", [])

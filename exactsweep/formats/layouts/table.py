@@ -1,9 +1,8 @@
-"""Tables of placements: a row for each placed part, in CSV, TSV or a list of JSON objects.
+"""Reader of tables of placements: one row per placed part, in CSV, TSV or JSON objects.
 
-Columns have the usual names, in any order and case; `exactsweep.formats.columns` lists them.
-Numbers may have letters before them, as in "s0.125", which some contests require. A column of
-groups, or ids such as 002_0 and 002_1, gives one layout for each group. With a column of radii the
-parts are discs.
+Columns may be in any order; `exactsweep.formats.columns` lists their names. Letters before numbers
+are ignored, as in "s0.125", which some contests require. With a group column, or ids such as 002_0
+and 002_1, each group is a layout. With a radius column, the parts are discs.
 """
 
 from __future__ import annotations
@@ -33,7 +32,7 @@ from exactsweep.numbers.digits import format_fraction
 from exactsweep.numbers.error import name_refusals, quote
 from exactsweep.words import count
 
-# With one of these, x and y are places.
+# With one of these columns, x and y are positions.
 _PLACING = {"angle", "radians", "radius"}
 _NUMBERED = re.compile(r"(.+?)[_-]\d+")
 _PREFIX = re.compile(r"[A-Za-z_]+(?=[-+.]*\d)")
@@ -41,21 +40,21 @@ _TRUE, _FALSE = {"1", "true", "yes"}, {"0", "false", "no", ""}
 
 
 class _Row(NamedTuple):
-    """A row: its place in the file, its cells by meaning, and its decimal separator."""
+    """A row: its location in the file, its cells by meaning, and the decimal separator."""
 
     place: str
     cells: Mapping[str, str]
     point: str = "."
 
     def read(self, meaning: str) -> Fraction:
-        """Read a number without the letters before it."""
+        """Read a number, ignoring letters before it."""
         text = _PREFIX.sub("", self.cells[meaning].strip(), count=1).replace(self.point, ".")
         with name_refusals(f"{self.place}: {meaning}", FormatError):
             return read_decimal(text)
 
 
 def is_table(text: str) -> bool:
-    """Decide whether a text is a table of placements, by the names of its columns.
+    """Return whether a text is a table of placements, judging by its column names.
 
     >>> is_table("id,x,y,deg"), is_table("name,x,y"), is_table('[{"x": 1, "y": 2, "angle": 3}]')
     (True, False, True)
@@ -70,10 +69,10 @@ def is_table(text: str) -> bool:
 
 
 def read_parts(path: str, reading: Reading) -> dict[str, Data]:
-    """Read the parts of a table: those of Layout JSON, or the polygons of a file or a folder.
+    """Read the parts for a table from Layout JSON, or from the polygons of a file or folder.
 
     Raises:
-        FormatError: there is none, or one cannot be read.
+        FormatError: there are no parts, or one cannot be read.
     """
     text = "" if os.path.isdir(path) or has_magic(path) else read_text(split_choice(path)[0])
     if text.lstrip()[:1] == "{":
@@ -96,7 +95,7 @@ def read_parts(path: str, reading: Reading) -> dict[str, Data]:
 
 
 def _list_parts(data: object) -> Iterator[tuple[JsonNode, Data]]:
-    """List the parts of Layout JSON, each with its id."""
+    """Yield the parts of Layout JSON with their ids."""
     for part in (JsonNode(data) / "parts").each():
         name = part / "id"
         if isinstance(part.value, dict):
@@ -112,15 +111,16 @@ def read_table(text: str, parts: Mapping[str, Data], *, radians: bool = False) -
 
     Args:
         text: the table.
-        parts: the parts by id, as in Layout JSON; none for a table of discs.
-        radians: whether angles are in radians; they become degrees within 10^-100, which the slack
-            of verdicts covers.
+        parts: Layout JSON of the parts by id; empty for a table of discs.
+        radians: whether angles are in radians. The conversion to degrees has an error of at most
+            10^-100, covered by the slack of the judge.
 
     Returns:
         A FoundLayout for each group, without container, in the order of the table.
 
     Raises:
-        FormatError: a missing column, an unknown part or no number; the message has the line.
+        FormatError: a missing column, an unknown part or an invalid number; the message has the
+            line.
 
     Cost: linear.
 
@@ -139,7 +139,7 @@ def read_table(text: str, parts: Mapping[str, Data], *, radians: bool = False) -
     if missing:
         raise FormatError(f"a table of placements without a column {' and '.join(missing)}")
     if not parts and "radius" not in meanings:
-        raise FormatError("a table of placements; --part FILE has the outline of its parts")
+        raise FormatError("a table of placements; --part FILE reads the outlines of its parts")
     groups: dict[str, list[_Row]] = {}
     for name, row in zip(_name_groups(rows, parts), rows, strict=True):
         groups.setdefault(name, []).append(row)
@@ -168,7 +168,7 @@ def _make_layout(
 
 
 def _find_part(row: _Row, parts: Mapping[str, Data]) -> Data:
-    """Return the part of a row: by name, the only one, or the disc of its radius."""
+    """Return the part of a row: by name, the only one, or a disc."""
     if not parts:
         radius = format_fraction(row.read("radius"))
         pieces = [{"points": [["0", "0"]], "radius": radius}]
@@ -192,7 +192,7 @@ def _read_turn(row: _Row, *, radians: bool) -> str:
 
 
 def _name_groups(rows: Sequence[_Row], parts: Mapping[str, Data]) -> list[str]:
-    """Name the group of each row: its column of groups, or the id without a number at its end."""
+    """Return the group of each row: its group cell, or its id without the final number."""
     named = [row.cells["group"].strip() for row in rows if "group" in row.cells]
     if named and (len({*named}) < len(rows) or len(rows) == 1):
         return named if len({*named}) > 1 else [""] * len(rows)
@@ -235,7 +235,7 @@ def _read_csv(text: str) -> csv._reader:  # type: ignore[name-defined]
 
 
 def _read_head(text: str) -> list[str]:
-    """Return the names of the columns; empty if a text is no table."""
+    """Return the column names; an empty list if the text is not a table."""
     if text.lstrip()[:1] not in "[{":
         return [cell.strip() for cell in next(_read_csv(text[:2000]), [])]
     entries = _list_objects(text)
@@ -243,7 +243,7 @@ def _read_head(text: str) -> list[str]:
 
 
 def _list_objects(text: str) -> list[object]:
-    """Return the entries of a JSON list, or of the only list of an object; else none."""
+    """Return the entries of a JSON list, or of the only list in an object."""
     data = parse_json(text)
     lists = [data] if isinstance(data, list) else []
     if isinstance(data, dict):

@@ -1,4 +1,4 @@
-"""The outlines of rounded pieces in pictures: true arcs, or polygons that are fine near a point."""
+"""Outlines of rounded pieces in pictures: true arcs, or polygons that are fine near a point."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ _BITS, _STEPS, _COARSE, _BACK = 16, 16, Fraction(1, 64), 40
 
 
 def place_pieces(layout: Layout, k: int) -> list[RoundedPiece]:
-    """Return the rounded pieces of a placement; for an irrational turn off by at most 2**-64."""
+    """Return the rounded pieces of a placement; irrational rotations have errors up to 2**-64."""
     placement = layout.placements[k]
     (a, b, c, d), (dx, dy) = placement.rows(64), placement.move
     found = []
@@ -29,12 +29,12 @@ def place_pieces(layout: Layout, k: int) -> list[RoundedPiece]:
 
 
 def list_corners(pieces: Iterable[RoundedPiece]) -> list[Point]:
-    """List the corners of the boxes of pieces."""
+    """List the lower left and upper right corners of the boxes of pieces."""
     return [*chain.from_iterable(piece.bounding_box for piece in pieces)]
 
 
 def write_arcs(pieces: Iterable[RoundedPiece], window: Window) -> str:
-    """Write rounded pieces as data of an SVG path, with an arc at each corner.
+    """Write rounded pieces as SVG path data, with an arc at each corner.
 
     >>> window = Window(*map(Fraction, (0, 0, 4, 4)), 4, 4)
     >>> write_arcs([RoundedPiece((Point(Fraction(2), Fraction(1)),), Fraction(1))], window)
@@ -69,13 +69,13 @@ def _write_piece(piece: RoundedPiece, window: Window, sweep: int) -> str:
 
 
 def _unit(p: Point, q: Point) -> tuple[Fraction, Fraction, Fraction]:
-    """Return the outward normal of a side and about its length."""
+    """Return the outward normal of a side and its approximate length."""
     x, y = q.y - p.y, p.x - q.x
     return x, y, Fraction(hypot(x, y)) or Fraction(1)
 
 
 def list_vertices(piece: RoundedPiece, center: Point, near: Fraction) -> Sequence[Vertex]:
-    """Return a polygon in a rounded piece that is fine within `near` of a center."""
+    """Return a polygon that approximates a rounded piece, finely within `near` of a center."""
     points, r = piece
     if not r:
         return points
@@ -106,7 +106,7 @@ def _find_direction(x: Fraction, y: Fraction, bits: int) -> Point:
 
 
 def _list_turns(share: Fraction) -> list[Point]:
-    """List rational turns: fine ones up to a share of a radian, then coarse ones."""
+    """List rational rotations: fine ones up to a share of a radian, then coarse ones."""
     # A power of two keeps numbers short.
     fine = min(Fraction(1), Fraction(2) ** ceil(log2(share) + 1))
     tangents = [fine * k / (2 * _STEPS) for k in range(_STEPS + 1)]

@@ -1,4 +1,4 @@
-// Zoom and pan of the picture, parts by name, and one fault after the other.
+// Zooming and panning, search for parts, and steps through the faults.
 "use strict";
 const picture = document.getElementById("picture");
 const whole = picture.viewBox.baseVal;

@@ -1,4 +1,4 @@
-"""A judged layout as one self-contained HTML page: zoom, parts by name, one fault a click."""
+"""A judged layout as a self-contained HTML page, with zoom and a search for parts."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ def write_layout_page(
 ) -> str:
     """Write a judged layout as an HTML page, with pictures of the worst faults.
 
-    Names are escaped. Arguments are those of `report_layout` and `draw_layout`.
+    Arguments are those of `report_layout` and `draw_layout`.
 
     Cost: that of `draw_layout`.
     """

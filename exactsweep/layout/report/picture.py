@@ -1,6 +1,6 @@
-"""Pictures of judged layouts: all parts, faults in red, and each fault enlarged.
+"""Pictures of judged layouts: all parts, with faults in red and enlarged.
 
-Coordinates are clipped and scaled exactly, and converted to floats last. So the enlargement shows
+Coordinates are clipped and scaled exactly, and converted to floats last, so the enlargement shows
 even an overlap of 10^-15 of the picture.
 """
 
@@ -38,14 +38,14 @@ _MARGIN, _GAP, _LINE = 14, 20, 20
 _MOST_ENLARGED, _MOST_LABELLED = 12, 150
 
 SIDE = 218
-"""The side of the enlarged square, in pixels."""
+"""The side of an enlarged square, in pixels."""
 
 _ROUND = 3
 _BITS = 64
 
 
 def write_style() -> str:
-    """Write the style sheet of these pictures."""
+    """Return the style sheet of the pictures."""
     own = files("exactsweep.layout.report").joinpath("picture.css").read_text("utf-8")
     return style.write_style_sheet() + "\n" + own.replace("$fault", style.RED)
 
@@ -55,8 +55,8 @@ class Enlarged(NamedTuple):
 
     Attributes:
         number: the number of the fault, from 1.
-        caption: its description and its width.
-        svg: the elements of a square of SIDE pixels.
+        caption: the description of the fault, and the width of the detail.
+        svg: the SVG elements of a square of SIDE pixels.
     """
 
     number: int
@@ -105,12 +105,12 @@ def draw_layout(
 
 
 class LayoutPicture:
-    """The picture of a judged layout, which a notebook shows at the end of a cell.
+    """The picture of a judged layout in a notebook.
 
     Args:
         judgement: a Judgement.
 
-    Cost: that of `draw_layout` and `rank_faults`, when the notebook shows it.
+    Cost: that of `draw_layout` and `rank_faults`, when shown.
 
     Example:
         >>> from exactsweep.corpus import find_layout_case
@@ -132,12 +132,9 @@ class LayoutPicture:
 def draw_parts(
     judgement: Judgement, ranked: Sequence[WorstFirst], *, y_down: bool = False
 ) -> tuple[int, int, str]:
-    """Draw the container and all parts; faulty ones are red, with a circle at each witness.
+    """Draw the container and the numbered placements; faulty ones are red, witnesses are circled.
 
-    The numbers in the parts are those of the placements.
-
-    Returns:
-        The width and height in pixels, and the SVG elements.
+    Returns the width and height in pixels, and the SVG elements.
     """
     layout = judgement.layout
     placed = [place_shape(layout, k) for k in range(len(layout.placements))]
@@ -153,7 +150,7 @@ def draw_parts(
     window = Window.around(points, width, height, _MARGIN)
     if y_down:
         window = window.turned()
-    # Missing and surplus placements are not the fault of a single one.
+    # Missing and surplus faults are not due to a single placement.
     bad = {k for one in ranked if not one.fault.number for k in one.fault.placements}
     drawn = [_draw("defect", shape, window) for shape in defects]
     for is_bad in (False, True):
@@ -182,7 +179,7 @@ def enlarge_faults(
     y_down: bool = False,
     context: ReportContext = NO_CONTEXT,
 ) -> list[Enlarged]:
-    """Draw the worst faults, each enlarged."""
+    """Draw the worst faults, enlarged."""
     layout = judgement.layout
     found = []
     shown = [one for one in ranked if one.fault.points][:_MOST_ENLARGED]
@@ -220,7 +217,7 @@ def enlarge_faults(
 
 
 class DrawnShape(NamedTuple):
-    """A shape to be drawn: rings or rounded pieces, or none."""
+    """A shape to draw: rings, rounded pieces, or nothing."""
 
     rings: Sequence[Sequence[Point]] = ()
     pieces: Sequence[RoundedPiece] = ()
@@ -230,12 +227,12 @@ class DrawnShape(NamedTuple):
         return [*chain.from_iterable(self.rings), *list_corners(self.pieces)]
 
     def list_rings(self, center: Point, near: Fraction) -> list[Sequence[Vertex]]:
-        """List the rings, or polygons that approximate the pieces closely at a place."""
+        """List the rings, and polygons that approximate the pieces finely near a center."""
         return [*self.rings, *(list_vertices(piece, center, near) for piece in self.pieces)]
 
 
 def list_walls(layout: Layout) -> tuple[DrawnShape, list[DrawnShape]]:
-    """Return the exterior of the container, if there is one, and each defect."""
+    """Return the exterior of the container, if there is one, and the defects."""
     container = layout.container
     defects = [
         DrawnShape(one.shape.rings) if isinstance(one.shape, Region) else DrawnShape((), one.shape)
@@ -261,17 +258,14 @@ def find_inner_point(judgement: Judgement, k: int) -> Point | None:
 
 
 def place_shape(layout: Layout, k: int) -> DrawnShape:
-    """Return a placement as it is drawn."""
+    """Return a placement as a shape to draw."""
     if layout.part_by_id[layout.placements[k].part].pieces:
         return DrawnShape((), place_pieces(layout, k))
     return DrawnShape(place_part(layout, k))
 
 
 def place_part(layout: Layout, k: int) -> list[list[Point]]:
-    """Return the rings of a placement after mirroring, rotation and translation.
-
-    An irrational rotation is replaced by a rational one off by at most 2**-64.
-    """
+    """Return the placed rings of a part; irrational rotations have errors up to 2**-64."""
     placement = layout.placements[k]
     part = layout.part_by_id[placement.part]
     (a, b, c, d), (dx, dy) = placement.rows(_BITS), placement.move
@@ -318,7 +312,7 @@ def _write(name: str, data: str, named: tuple[int, str] | None = None) -> str:
 
 
 def _clip(ring: Sequence[Vertex], window: Window) -> Sequence[Vertex]:
-    """Clip rings exactly, so far outside a window that the cuts are out of sight."""
+    """Clip a ring exactly, far enough outside a window to hide the cuts."""
     room = window.longest
     sides = (window.left, window.right), sorted((window.bottom, window.top))
     for axis, (low, high) in enumerate(sides):

@@ -1,4 +1,4 @@
-"""A judged layout as text, with facts and a table of its faults, or as JSON."""
+"""A judged layout as a text report or as JSON."""
 
 from __future__ import annotations
 
@@ -35,11 +35,11 @@ def report_layout(
     everything: bool = False,
     context: ReportContext = NO_CONTEXT,
 ) -> str:
-    """Describe a judged layout: its faults, the worst first, or the least distance of parts.
+    """Describe a judged layout: its faults, the worst first, or the nearest parts.
 
     Args:
         judgement: a Judgement.
-        ranked: its faults as `rank_faults` sorts them, if known.
+        ranked: its faults as sorted by `rank_faults`, if known.
         terminal_width: the width of the terminal in columns; None for plain text.
         notes: further remarks.
         everything: whether to list all faults.
@@ -84,7 +84,7 @@ def report_layout(
 def list_measures(
     judgement: Judgement, ranked: Sequence[WorstFirst], context: ReportContext = NO_CONTEXT
 ) -> dict[str, str]:
-    """Write the verdict and the measures of a layout, by name."""
+    """Return the verdict and the measures of a layout as texts, by name."""
     layout = judgement.layout
     facts = {
         "verdict": write_verdict(judgement, ranked, context),
@@ -124,7 +124,7 @@ def write_verdict(
     ranked: Sequence[WorstFirst] = (),
     context: ReportContext = NO_CONTEXT,
 ) -> str:
-    """Write that a layout is valid, or count its faults of each kind.
+    """Describe the verdict; count the faults of each kind.
 
     The ranked faults are needed if some depth is accepted.
     """
@@ -152,7 +152,7 @@ def _count_kinds(kinds: Mapping[FaultKind, int]) -> str:
 
 
 def sum_up(ranked: Sequence[WorstFirst], context: ReportContext) -> str:
-    """Count faults, with the greatest depth or shortfall."""
+    """Count faults, and state the greatest depth or shortfall."""
     said = _count_kinds(Counter(one.fault.kind for one in ranked))
     depths = [one.depth for one in ranked]
     deepest = context.add_unit(approximate(max(depths), up=True))
@@ -165,7 +165,7 @@ def sum_up(ranked: Sequence[WorstFirst], context: ReportContext) -> str:
 def find_remarks(
     judgement: Judgement, ranked: Sequence[WorstFirst], context: ReportContext
 ) -> list[str]:
-    """Report that all faults are tiny, and rules that were not judged."""
+    """Report whether all faults are tiny, and the rules that were not judged."""
     said = []
     is_rounding = all(one.is_rounding(judgement) for one in ranked)
     if ranked and is_rounding and context.accepted is None:
@@ -193,10 +193,7 @@ def tell_fault(
     *,
     repaired: bool = True,
 ) -> tuple[str, str, str, str]:
-    """Describe a fault: the place, the measure, the witness and the repair, in rounded numbers.
-
-    The repair is computed only if `repaired`.
-    """
+    """Describe the placements, measure, witness and, if `repaired`, repair of a fault, rounded."""
     fault = one.fault
     bad, repair = fault.reason, ""
     if fault.distance_squared is not None and fault.required is not None:
@@ -225,9 +222,9 @@ def write_layout_json(
     ranked: Sequence[WorstFirst] | None = None,
     context: ReportContext = NO_CONTEXT,
 ) -> str:
-    """Write a judgement as JSON: the verdict, faults, contacts, density and the nearest pair.
+    """Format a judgement as JSON.
 
-    Placements are ints, other numbers strings that `to_fraction` reads. Arguments are those of
+    Placements are ints, other numbers are strings that `to_fraction` reads. Arguments are those of
     `report_layout`.
 
     Cost: that of `rank_faults` and of `Judgement.distance`.
@@ -258,7 +255,7 @@ def write_layout_json(
 
 
 def _measure_box(judgement: Judgement) -> dict[str, Any]:
-    """Return the box of the parts, its square and its width, and the bound on each corner."""
+    """Return the box of the parts, its longer side, its width, and the bound on their errors."""
     if judgement.box is None:
         return {"box": None}
     low, high = judgement.box
@@ -285,7 +282,7 @@ def _list_fault(
 
 
 def _write_about(point: Point, box: tuple[Point, Point] | None = None) -> str:
-    """Round a point to the size of a box, which may be far from the origin."""
+    """Round a point with enough digits for the size of a box far from the origin."""
     size = max((b - a for a, b in zip(*box, strict=True)), default=0) if box else 0
     rounded = []
     for c in point:

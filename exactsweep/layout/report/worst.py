@@ -1,4 +1,4 @@
-"""The faults of a judgement, the worst first, and the context of a report."""
+"""Ranking of faults, and the context of a report."""
 
 from __future__ import annotations
 
@@ -13,9 +13,9 @@ from exactsweep.text.report import take_root
 from exactsweep.words import spell_out
 
 MOST_MEASURED = 200
-"""The number of measured faults, unless all of these are tiny."""
+"""The number of faults to measure, unless all of these are tiny."""
 
-# Faults that are this many times smaller than the layout look like rounding.
+# Faults this many times smaller than the layout look like rounding.
 _ROUNDING = 10**6
 _MEASURED = "overlap", "outside", "too close"
 
@@ -26,8 +26,8 @@ class WorstFirst(NamedTuple):
     Attributes:
         fault: the Fault.
         square: the squared depth of an overlap or of a part outside, or the squared distance of
-            parts too close; None if there is no measure, or it was not computed.
-        accepted: whether it is at most as deep as is accepted.
+            parts too close; None if undefined or not computed.
+        accepted: whether the fault is within the accepted depth.
     """
 
     fault: Fault
@@ -36,7 +36,7 @@ class WorstFirst(NamedTuple):
 
     @property
     def depth(self) -> Fraction:
-        """A bound on the depth of a fault, or on its shortfall of the distance."""
+        """A bound on the depth of a fault, or on the missing distance."""
         fault = self.fault
         if fault.distance_squared is not None and fault.required is not None:
             missing = fault.required**2 - fault.distance_squared
@@ -45,7 +45,7 @@ class WorstFirst(NamedTuple):
         return root + fault.bound
 
     def is_rounding(self, judgement: Judgement) -> bool:
-        """Decide whether the fault is known to be tiny compared with the layout."""
+        """Return whether the fault is known to be tiny compared with the layout."""
         low, high = judgement.box or (ORIGIN, ORIGIN)
         size = max(high.x - low.x, high.y - low.y)
         is_known = self.square is not None or len(self.fault.placements) > 1
@@ -53,13 +53,13 @@ class WorstFirst(NamedTuple):
 
 
 class ReportContext(NamedTuple):
-    """Facts of the file of a layout, and the accepted depth.
+    """Facts about the file of a layout, and the accepted depth.
 
     Attributes:
-        unchecked: rules and shapes that were not judged, a phrase each.
-        places: where each placement is in the file; empty if unknown.
-        unit: the unit of lengths, such as "mm"; "" if unknown.
-        accepted: the depth up to which faults are accepted; None to accept none.
+        unchecked: rules and shapes that were not judged.
+        places: the location of each placement in the file; empty if unknown.
+        unit: the unit of length, such as "mm"; "" if unknown.
+        accepted: the depth up to which faults are accepted, or None.
     """
 
     unchecked: Sequence[str] = ()
@@ -68,7 +68,7 @@ class ReportContext(NamedTuple):
     accepted: Fraction | None = None
 
     def name_placement(self, judgement: Judgement, k: int) -> str:
-        """Return the number of a placement, the id of its part and its place in the file."""
+        """Return the index of a placement, the id of its part and its location in the file."""
         part = judgement.layout.placements[k].part
         place = self.places[k] if k < len(self.places) else ""
         name = str(k) if part == str(k) else f"{k} {part}".strip()
@@ -94,15 +94,15 @@ def rank_faults(
     tell: Callable[[int, int], object] = lambda done, total: None,
     accepted: Fraction | None = None,
 ) -> list[WorstFirst]:
-    """Sort the faults of a judgement: those not accepted first, by kind, and the worst first.
+    """Sort the faults of a judgement: accepted ones last, by kind, the worst first.
+
+    MOST_MEASURED faults are measured, beginning with the greatest overlaps of boxes; further ones
+    if all of these are tiny, and all if some depth is accepted.
 
     Args:
         judgement: a Judgement.
-        tell: called with the number of measured faults and their final number.
+        tell: called with the number of measured faults and the total.
         accepted: the depth up to which faults are accepted.
-
-    MOST_MEASURED faults are measured, those first whose boxes overlap most; all of unknown size if
-    these are tiny; all if some depth is accepted.
 
     Cost: that of `Fault.depth_squared` for each measured fault.
     """
@@ -127,6 +127,6 @@ def rank_faults(
 def _rank(one: WorstFirst) -> tuple[bool, Fraction]:
     if one.fault.distance_squared is not None:
         return False, one.fault.distance_squared
-    # A part that fits nowhere is worse than a part that fits.
+    # A part that fits nowhere is worst.
     fits_nowhere = one.square is None and one.fault.kind == "outside"
     return not fits_nowhere, -(one.square or Fraction(0))
