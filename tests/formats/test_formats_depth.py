@@ -228,7 +228,7 @@ def test_another_shape_with_the_vertices_of_the_container_is_no_copy(other: str)
     assert {*NOTCHED[0].split()} <= {
         ",".join(vertex) for one in found.data["parts"] for vertex in one["exterior"]
     }
-    with pytest.raises(FormatError, match="no outline is around all others"):
+    with pytest.raises(FormatError, match="no outline contains all others"):
         parse_layouts(text)
 
 

@@ -70,7 +70,7 @@ def test_files_are_named_in_refusals(tmp_path: Path) -> None:
     file.write_text(nests.FILES["svgnest.svg"][0], encoding="utf-8")
     instance.write_text("[]", encoding="utf-8")
     assert read_layout(str(file)) == read(nests.FILES["svgnest.svg"][0])[0].data
-    with pytest.raises(FormatError, match=f"{instance}: neither an instance"):
+    with pytest.raises(FormatError, match=f"{instance}: neither a nesting instance"):
         read_layouts(str(file), instance=str(instance))
     file.write_text(nests.FILES["deepnest.svg"][0], encoding="utf-8")
     with pytest.raises(FormatError, match=f"{file}: 2 layouts, not one"):
