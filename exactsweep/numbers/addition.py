@@ -1,8 +1,8 @@
 """Sums of many fractions, in about twice the time of the last addition.
 
-A running sum of n fractions with unrelated denominators grows at each step, and its greatest common
-divisor takes quadratic time, n times. `add_up` adds in pairs, then the sums in pairs again. So the
-last addition, which is unavoidable, takes half the time. Short fractions stay unreduced.
+A running sum of n fractions with unrelated denominators grows at each step, and each step computes
+a greatest common divisor in quadratic time. `add_up` adds pairs, then pairs of sums, and so on, so
+the last addition, which is unavoidable, takes half the time. Short fractions stay unreduced.
 """
 
 from collections.abc import Callable, Iterable
@@ -13,12 +13,12 @@ from typing import TypeVar
 _Pair = tuple[int, int]
 _Term = TypeVar("_Term", _Pair, Fraction)
 
-# The length up to which fractions stay unreduced; longer ones would carry common factors along.
+# Maximum length of unreduced fractions; in longer ones, common factors would cost more.
 _BITS = 2000
 
 
 def add_up(terms: Iterable[Fraction]) -> Fraction:
-    """Add any number of fractions; 0 for none.
+    """Add any number of fractions.
 
     Cost: O(s^2) for s digits in all denominators, if these have no common factors.
 
@@ -29,7 +29,7 @@ def add_up(terms: Iterable[Fraction]) -> Fraction:
 
 
 def add_ratios(terms: Iterable[_Pair]) -> Fraction:
-    """Add fractions as pairs of a numerator and a positive denominator, not in lowest terms."""
+    """Add fractions given as pairs of a numerator and a positive denominator, reduced or not."""
     pairs = [*terms]
     while len(pairs) > 1 and max(d for _, d in pairs).bit_length() < _BITS:
         pairs = _in_pairs(_add_unreduced, pairs)

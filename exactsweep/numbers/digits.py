@@ -1,7 +1,6 @@
 """Numbers as texts: their grammar, and ints of any length.
 
-Module `limits` defines the limits on untrusted input. Python's own conversions of ints reject more
-than 4300 digits; those of Decimals do not.
+Python's conversions between int and str reject more than 4300 digits; those of Decimal do not.
 """
 
 import re
@@ -26,26 +25,26 @@ from exactsweep.numbers.limits import answer_digits, get_max_digits
 
 _EXACT = Context(prec=MAX_PREC, Emax=MAX_EMAX, Emin=MIN_EMIN, traps=[Inexact])
 
-# The JSON number grammar, extended with fractions: the whole part, the denominator, the decimals,
-# the sign of the exponent and its digits.
+# The JSON number grammar, extended with fractions. Groups: whole part, denominator, decimals, sign
+# of the exponent, digits of the exponent.
 _NUMBER = re.compile(
     r"(-?(?:0|[1-9][0-9]*))"
     r"(?:/(0|[1-9][0-9]*)|(?:\.([0-9]+))?(?:[eE]([+-]?)0*([0-9]+))?)"
 )
 
-# The length up to which a split is no faster.
+# Below this length, splitting does not help.
 _READ_DIGITS = 2**11
 
-# The number of digits that int() reads under every limit of the interpreter.
+# int() accepts this many digits under every setting of the interpreter.
 _SHORT = sys.int_info.str_digits_check_threshold
 
 # 2**-d has d digits as a decimal, and d/3.32 digits in the denominator of a fraction.
 _DIGITS_BEFORE_REDUCTION = 5
 
-# The length of a number that people are shown exactly, and the digits of any other.
+# Maximum length of a number displayed exactly, and the digits of a rounded one.
 _SHOWN_DIGITS, _ROUNDED_DIGITS = 24, 12
 
-# The length up to which powers of ten are written without the mark of rounded numbers.
+# Numbers up to this length may be displayed exactly as decimals, such as powers of ten.
 _LONG_BITS = 2**13
 
 
@@ -64,9 +63,7 @@ def read_int(text: str) -> int:
 
 
 def read_ratio(text: str) -> tuple[int, int]:
-    """Read the numerator and the denominator, in lowest terms, of a number in a text.
-
-    `to_fraction` documents the grammar, the errors and the cost.
+    """Read a number as a numerator and a denominator in lowest terms; see `to_fraction`.
 
     >>> read_ratio("-1.5e-2")
     (-3, 200)
@@ -91,7 +88,7 @@ def read_ratio(text: str) -> tuple[int, int]:
 
 
 def format_fraction(value: Fraction) -> str:
-    """Write a number of any length exactly, as `to_fraction` reads it.
+    """Write a number of any length exactly, in the grammar of `to_fraction`.
 
     >>> format_fraction(Fraction(-7, 2))
     '-7/2'
@@ -107,7 +104,7 @@ def find_magnitude(value: Fraction) -> int:
     (3, -1)
     """
     bits = value.numerator.bit_length() - value.denominator.bit_length()
-    # log10(2) is a little more than 3/10; the loops correct the rest.
+    # log10(2) is about 0.30103; the loops correct the error.
     exponent = bits * 30103 // 100000
     while Fraction(10) ** exponent > value:
         exponent -= 1
@@ -117,9 +114,9 @@ def find_magnitude(value: Fraction) -> int:
 
 
 def abridge(value: Fraction) -> str:
-    """Write a number for people: exactly if that is short, else rounded, with the mark "~".
+    """Format a number for display: exactly if that is short, else rounded, with a final "~".
 
-    A float is rounded to the decimal that Python writes for it, any other number to twelve digits.
+    Values of floats become the decimal that Python writes for them, others have twelve digits.
 
     >>> abridge(Fraction(-7, 2)), abridge(Fraction(-(10**99))), abridge(Fraction(10**30 + 1, 10**9))
     ('-7/2', '-1e+99', '1000000000000000000000.000000001')
@@ -140,7 +137,7 @@ def abridge(value: Fraction) -> str:
 
 
 def write_literals(values: Iterable[Fraction]) -> str | None:
-    """Write numbers as a tuple that Python reads back to the same values; None if one is long.
+    """Write numbers as the source of a Python tuple of the same values; None if one is long.
 
     >>> write_literals([Fraction(3), Fraction(1, 2), Fraction(0.1)])
     "(3, '1/2', 0.1)"
@@ -170,7 +167,7 @@ def is_float(value: Fraction) -> bool:
 
 
 def format_rounded(value: Fraction | int, spec: str) -> str:
-    """Write a number in a format of floats, rounded once; raise ValueError for other formats.
+    """Format a number by a float format specifier, rounding once; raise ValueError for others.
 
     >>> format_rounded(Fraction(2, 3), ".3f"), format_rounded(Fraction(10**40, 3), ".2e")
     ('0.667', '3.33e+39')
@@ -181,14 +178,14 @@ def format_rounded(value: Fraction | int, spec: str) -> str:
 
 
 def _divide(value: Fraction | int, digits: int) -> Decimal:
-    """Return a quotient with some digits, so that rounding to fewer digits is correct."""
+    """Divide with the given number of digits, so that rounding to fewer digits is correct."""
     with localcontext(_EXACT) as context:
         context.prec, context.rounding, context.traps[Inexact] = digits, ROUND_05UP, False
         return Decimal(value.numerator) / Decimal(value.denominator)
 
 
 def _round(value: Fraction, digits: int) -> Decimal:
-    """Round a number to some digits; exact if it has no more and is not very long."""
+    """Round a number to a number of digits; exact if it has no more and is not very long."""
     # The conversion of an int to a Decimal takes quadratic time.
     n, d = value.as_integer_ratio()
     cut, below = (max(0, number.bit_length() - _LONG_BITS) for number in (n, d))
@@ -208,7 +205,7 @@ def _write_decimal(value: Decimal) -> str:
 
 
 def to_plain(data: dict[str, Any]) -> dict[str, Any]:
-    """Turn Fractions into strings and tuples into lists, at any depth of lists and dicts.
+    """Convert Fractions to strings and tuples to lists, at any depth.
 
     >>> to_plain({"at": (Fraction(1, 3), Fraction(2)), "number": 2})
     {'at': ['1/3', '2'], 'number': 2}
@@ -227,7 +224,7 @@ def _write(value: Any) -> Any:
 def _read_decimal(
     text: str, whole: str, decimals: str, sign: str, exponent: str
 ) -> tuple[int, int]:
-    # Up to 15 digits, so that reading the exponent takes no time.
+    # Reading an exponent of up to 15 digits takes no time.
     if len(exponent) > 15:
         raise _too_long(text)
     places = len(decimals) - int(sign + exponent)
@@ -250,7 +247,7 @@ def _check(text: str, value: Fraction) -> tuple[int, int]:
 
 
 def _allowed_digits(text: str) -> int:
-    """Return the largest number of digits of a number, by 1 and 2 of `limits`."""
+    """Return the maximum number of digits of a number, by (1) and (2) of `limits`."""
     return max(get_max_digits(), min(len(text), answer_digits()))
 
 

@@ -1,7 +1,7 @@
-"""Errors: their base classes, names of the rejected inputs, arguments of the wrong type.
+"""Errors: base classes, names of rejected inputs, arguments of a wrong type.
 
 The decorator `tells_arguments` compares arguments with the annotations only after a function has
-failed. So a successful call costs nothing, and may pass tuples or arrays for lists.
+failed. So successful calls cost nothing, and may pass tuples or arrays for lists.
 """
 
 from __future__ import annotations
@@ -21,10 +21,10 @@ from typing import Any, Literal, ParamSpec, TypeVar, Union, get_args, get_origin
 _Accepted = ParamSpec("_Accepted")
 _Returned = TypeVar("_Returned")
 
-# The number of items of an argument that the check examines.
+# The check examines this many items of an argument.
 _LOOKED_AT = 100
 
-# The most characters of a value in a message.
+# Maximum number of characters of a value in a message.
 _ECHO = 40
 
 
@@ -33,7 +33,7 @@ class ExactSweepError(ValueError):
 
 
 class NumberError(ExactSweepError):
-    """A value that is not an exact rational number, or one beyond the limits."""
+    """A value that is not an exact rational number, or is beyond the limits."""
 
 
 class ArgumentError(ExactSweepError):
@@ -41,16 +41,16 @@ class ArgumentError(ExactSweepError):
 
 
 def quote(value: object) -> str:
-    """Write any value for a message: its repr, shortened if long.
+    """Quote a value in a message: its repr, shortened if long.
 
     >>> quote("7" * 99)
     "'777777777777777777777777777777777777..."
     """
     try:
         text = repr(value)
-    except Exception:  # a foreign repr may fail in any way; the message must still be readable
+    except Exception:  # a foreign repr may fail in any way
         text = f"<{type(value).__name__}>"
-    if not text.isprintable():  # a foreign repr may hold anything
+    if not text.isprintable():
         text = "".join(c if c.isprintable() else ascii(c)[1:-1] for c in text[:_ECHO])
     return text if len(text) <= _ECHO else f"{text[: _ECHO - 3]}..."
 
@@ -75,21 +75,21 @@ class name_refusals:  # noqa: N801
 
 @contextmanager
 def require_imports(package: str, what: str, refusal: type[ExactSweepError]) -> Iterator[None]:
-    """Raise an error that names the package to install, if an import in the `with` block fails."""
+    """Raise an error that names the package to install if an import in the `with` block fails."""
     try:
         yield
     except ModuleNotFoundError:
         raise refusal(f"{what} needs {package}: pip install {package}") from None
-    except ImportError as error:  # of a library that it needs, or of memory
+    except ImportError as error:  # a library that the package needs, or too little memory
         said = " ".join(str(error).split())
         raise refusal(f"{what} needs {package}, which cannot be loaded: {said}") from None
 
 
 def tells_arguments(function: Callable[_Accepted, _Returned]) -> Callable[_Accepted, _Returned]:
-    """Decorate a function so that it names an argument of the wrong type if it fails on it.
+    """Decorate a function so that a failure caused by an argument of a wrong type names it.
 
-    The function raises ArgumentError instead of Python's TypeError and similar errors, if an
-    argument does not match its annotation. Other errors are unchanged.
+    If an argument does not match its annotation, ArgumentError replaces TypeError and similar
+    errors. Other errors are unchanged.
 
     >>> @tells_arguments
     ... def double(number: int) -> int:
@@ -106,7 +106,7 @@ def tells_arguments(function: Callable[_Accepted, _Returned]) -> Callable[_Accep
         except ExactSweepError:
             raise
         except Exception:
-            # An error of this program must not be reported as one of the caller.
+            # Do not blame the caller for an error in this package.
             fault = _find_fault(function, arguments, named)
             if fault is None:
                 raise
@@ -136,7 +136,7 @@ def _find_fault(
 
 
 class _UnseenType(type):
-    """A type imported for type checkers only; values match it by the name of their type."""
+    """A stand-in for a type imported only for type checkers; values match it by type name."""
 
     def __getattr__(cls, name: str) -> type:
         if name.startswith("_"):
@@ -151,7 +151,7 @@ class _UnseenType(type):
 
 
 class _ModuleNames(dict[str, object]):
-    """The names of a module, with those imported for type checkers only."""
+    """The names in a module, including those imported only for type checkers."""
 
     def __missing__(self, name: str) -> object:
         for module in (builtins, abc, typing):

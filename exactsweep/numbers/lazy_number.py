@@ -1,12 +1,13 @@
 """Long numbers with intervals of ints, which decide most comparisons.
 
-A cross product of coordinates of thousands of digits takes milliseconds, and a test for a simple
-ring needs thousands of signs. So each number has an interval of ints that contains the number times
-a scale, the same for all coordinates of a ring. Differences and products of intervals contain those
-of the numbers. (1) Disjoint intervals decide the comparison. (2) Otherwise the numbers are computed
-as quotients of ints without reduction: a greatest common divisor of n digits takes n^2 steps, a
-product n^1.6. Numbers are comparable only if they have the same degree in the coordinates, and so
-the same scale; predicates of geometry compare no others.
+A cross product of coordinates with thousands of digits takes milliseconds, and the test of a ring
+needs thousands of signs. So each number has an interval of ints that contains the number times a
+scale, the same for all coordinates of a ring. Interval arithmetic encloses differences and
+products.
+(1) Disjoint intervals decide the comparison. (2) Otherwise the numbers are computed as unreduced
+quotients of ints: a greatest common divisor of n digits takes n^2 steps, a product n^1.6. Numbers
+are comparable only if they have the same degree in the coordinates, and so the same scale;
+geometric predicates compare no others.
 """
 
 from __future__ import annotations
@@ -17,7 +18,7 @@ from functools import total_ordering
 
 from exactsweep.numbers.number import Vertex
 
-# Of the largest coordinate.
+# Bits of the interval ends of the largest coordinate.
 _BITS = 256
 
 _Ratio = tuple[int, int]
@@ -25,7 +26,7 @@ _Ratio = tuple[int, int]
 
 @total_ordering
 class LazyNumber:
-    """A number that is computed only if its interval does not decide; made by `lazy_points`."""
+    """A number that is computed only if its interval does not decide a comparison."""
 
     __slots__ = ("_compute", "_high", "_low", "_ratio")
 
@@ -78,8 +79,8 @@ class LazyNumber:
 
 
 def lazy_points(points: Sequence[Vertex]) -> list[tuple[LazyNumber, LazyNumber]]:
-    """Make points of lazy numbers, all with the same scale."""
-    # The number of bits of the integral part, negative for small numbers; at most half a bit off.
+    """Convert points to lazy numbers, all with the same scale."""
+    # The approximate number of bits of the integral part, negative for small numbers.
     sizes = (c.numerator.bit_length() - c.denominator.bit_length() for p in points for c in p if c)
     shift = _BITS - max(sizes, default=0)
 

@@ -1,31 +1,30 @@
 """Limits on untrusted input: digits per number, bytes per text.
 
-One limit holds for numbers in texts and Decimals. A few characters, such as `1e999999999`, must not
-allocate gigabytes, and every answer must be readable again.
+Numbers in texts and Decimals are limited, because a few characters such as `1e999999999` must not
+allocate gigabytes. But every answer must be readable again.
 
 (1) A number may have D = `max_digits` digits in its numerator and in its denominator.
-(2) A number that is written out digit by digit may have 32 D + 7 digits. By (3) to (5), no vertex
-    of a loop computed from numbers of D digits has more. Certificates have no limit, because their
-    checker counts steps; ints, Fractions and floats have none, because they are in memory.
+(2) A number written out digit by digit may have 32 D + 7 digits. By (3) to (5), no vertex of a loop
+    computed from numbers of D digits has more. Certificates have no limit, because their checker
+    counts steps; ints, Fractions and floats have none, because they are already in memory.
 
 Let |n|, d < 10^D for all coordinates n/d of two polygons.
 
-(3) A line through d1 - g and d2 - g, for vertices d1, d2 of one and g of the other, is A x + B y =
-    C with ints |A|, |B| < 2 * 10^6D and |C| < 8 * 10^6D: A and B are over the denominators of d1
-    and d2, which cancel that of d1 in C, and C is over those of g.
-(4) Two such lines cross, at a vertex t of a trajectory or a hole or at the end of an exact fit,
-    over A B' - A' B < 8 * 10^12D, with numerators below 32 * 10^12D; a reference point adds D
-    digits.
-(5) Such lines moved by a vertex of G bound the swept area, with |A|, |B| < 2 * 10^8D, and so do
-    edges of G moved by t: over its denominator, |A|, |B| < 16 * 10^16D and |C| < 256 * 10^16D. Two
-        of these cross over less than 512 * 10^32D, with numerators below 8192 * 10^32D.
+(3) A line through d1 - g and d2 - g, for vertices d1, d2 of one polygon and g of the other, is A x
+    + B y = C with ints |A|, |B| < 2 * 10^6D and |C| < 8 * 10^6D: A and B have the denominators of
+    d1 and d2, which cancel that of d1 in C, and C has those of g.
+(4) Two such lines cross at a vertex t of a trajectory or a hole, or at the end of an exact fit,
+    with the denominator A B' - A' B < 8 * 10^12D and numerators below 32 * 10^12D; a reference
+    point adds D digits.
+(5) Such lines moved by a vertex of G bound the swept area, with |A|, |B| < 2 * 10^8D. So do edges
+    of G moved by t: over its denominator, |A|, |B| < 16 * 10^16D and |C| < 256 * 10^16D. Two of
+    these cross with a denominator below 512 * 10^32D and numerators below 8192 * 10^32D.
 
-Reading takes up to 130 bytes of memory for each byte of a text, so texts have another limit:
+Reading takes up to 130 bytes of memory per byte of text, so the size of texts is limited, too.
 
-(6) A text may count for `max_mib` MiB: its number of bytes, but at least 16 bytes for each vertex,
-    32 for each element of SVG and 64 for each entity of DXF, each time it is drawn.
-(7) An answer may have more vertices than that. Then its writer reports the limit that is needed to
-    read it.
+(6) A text is charged its number of bytes, but at least 16 bytes for each vertex, 32 for each SVG
+    element and 64 for each DXF entity, each time it is drawn; the limit is `max_mib` MiB.
+(7) If an answer has more vertices than that, its writer reports the limit needed to read it.
 """
 
 from collections.abc import Iterator
@@ -54,14 +53,14 @@ def limits(*, max_digits: int | None = None, max_mib: float | None = None) -> It
     """Change the limits on input inside a `with` block.
 
     The limit on digits applies to the number, not to its spelling. Results computed from numbers
-    within the limit can be written in any format and read again. The limits hold for the current
-    thread or asyncio task; a new thread begins with the defaults.
+    within the limit can be written in any format and read again. The limits apply to the current
+    thread or asyncio task; a new thread starts with the defaults.
 
     Args:
-        max_digits: the largest number of digits of the numerator and of the denominator of a number
-            in a string or `Decimal`, in lowest terms; 4300 by default. A number that is written out
-            digit by digit may have 32 times as many and 7 more. None keeps the limit.
-        max_mib: the largest size in MiB of a file, or of a line of a file of pairs, with at least
+        max_digits: the maximum number of digits of the numerator and of the denominator of a number
+            in a string or `Decimal`, in lowest terms; 4300 by default. A number written out digit
+            by digit may have 32 times as many and 7 more. None keeps the limit.
+        max_mib: the maximum size in MiB of a file, or of a line of a file of pairs, with at least
             16 bytes for each vertex; 16 MiB by default. None keeps the limit.
 
     Raises:
@@ -93,23 +92,23 @@ class Limits(TypedDict):
 
 
 def list_limits() -> Limits:
-    """List the changed limits as arguments of `limits`, for another process."""
+    """Return the changed limits as arguments of `limits`, for another process."""
     return {"max_digits": _max_digits.get(), "max_mib": _max_mib.get()}
 
 
 def keep_limits(held: Limits) -> None:
-    """Change the limits for as long as a process runs, to those that `list_limits` returned."""
+    """Set the limits of a process to those that `list_limits` returned."""
     _max_digits.set(held["max_digits"])
     _max_mib.set(held["max_mib"])
 
 
 def get_max_digits() -> int:
-    """Return the largest number of digits of a number, by (1)."""
+    """Return the maximum number of digits of a number, by (1)."""
     return _max_digits.get() or DEFAULT_DIGITS
 
 
 def answer_digits() -> int:
-    """Return the largest number of digits of a number that is written out, by (2)."""
+    """Return the maximum number of digits of a number written out digit by digit, by (2)."""
     return 32 * get_max_digits() + 7
 
 

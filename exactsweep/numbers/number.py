@@ -23,7 +23,7 @@ class Point(NamedTuple):
     y: Fraction
 
     def __repr__(self) -> str:
-        """Write the point as Python would, also with ints of more than 4300 digits."""
+        """Return the standard repr, even for ints of more than 4300 digits."""
         x, y = (
             f"Fraction({write_int(c.numerator)}, {write_int(c.denominator)})"
             if isinstance(c, Fraction)
@@ -33,11 +33,11 @@ class Point(NamedTuple):
         return f"Point(x={x}, y={y})"
 
     def __str__(self) -> str:
-        """Write the point for people, as `print` shows it: long coordinates are rounded."""
+        """Format the point for display, with long coordinates rounded."""
         return f"({abridge(Fraction(self.x))}, {abridge(Fraction(self.y))})"
 
     def __format__(self, spec: str) -> str:
-        """Write both coordinates in a format of floats, as in `f"{point:.3f}"`.
+        """Format both coordinates by a float format specifier, as in `f"{point:.3f}"`.
 
         >>> format(Point(Fraction(1, 3), Fraction(-2)), ".3f")
         '(0.333, -2.000)'
@@ -74,9 +74,9 @@ Rational = int | Fraction
 Vertex = tuple[Rational, Rational]
 Edge = tuple[Vertex, Vertex]
 Loop = tuple[Point, ...]
-"""The vertices of a closed line; the last vertex does not repeat the first."""
+"""The vertices of a closed polygonal line; the last vertex does not repeat the first."""
 Fit = tuple[Point, Point]
-"""An exact fit by its ends, which are equal for a single position."""
+"""The ends of an exact fit, which are equal for a single position."""
 PointRings = Sequence[Sequence[Point]]
 """Rings; the last vertex of a ring does not repeat the first."""
 
@@ -85,15 +85,15 @@ def to_fraction(value: object) -> Fraction:
     """Read a number exactly.
 
     Args:
-        value: an int or anything with `__index__`; a `Fraction` or other `numbers.Rational` (of
-            sympy and gmpy2, too); a `Decimal`; a float, read as its binary value; or a string:
-            `-?(0|[1-9][0-9]*)`, and after it either `/` and a denominator, or, both optional, `.`
-            with digits and `e` or `E` with a signed exponent, as in JSON.
+        value: an int or anything with `__index__`; a `Fraction` or other `numbers.Rational`, such
+            as those of sympy and gmpy2; a `Decimal`; a float, read as its binary value; or a
+            string: `-?(0|[1-9][0-9]*)`, followed by `/` and a denominator, or by an optional `.`
+            with digits and an optional `e` or `E` with a signed exponent, as in JSON.
 
     Raises:
         NumberError: bool, nan, infinities, complex, irrational or symbolic values, other types,
             strings outside the grammar, and strings and Decimals beyond `limits`. These are
-            rejected before any number five times as long as the limit is computed.
+            rejected before any number more than five times as long as the limit is computed.
 
     Cost: linear in the length of the input, times the cost of a multiplication of that length.
 
@@ -115,7 +115,7 @@ def to_fraction(value: object) -> Fraction:
         return _make_reduced(*read_ratio(str(value)))
     if isinstance(value, bool):
         raise NumberError(f"{value} is a bool, not a number")
-    # Before version 2, numpy lets its truth values be indices.
+    # In numpy before version 2, bools have `__index__`.
     if hasattr(value, "__index__") and type(value).__name__ != "bool_":
         try:
             return Fraction(operator.index(value))
@@ -127,7 +127,7 @@ def to_fraction(value: object) -> Fraction:
         except ZeroDivisionError:
             raise NumberError(f"{quote(value)} has a zero denominator") from None
         except (TypeError, ValueError):
-            # Numpy registers its spans of time.
+            # numpy registers timedelta64 as an integral type.
             raise NumberError(f"{quote(value)} is not a rational number") from None
     if isinstance(value, numbers.Real):
         return _from_real(value)
@@ -135,10 +135,7 @@ def to_fraction(value: object) -> Fraction:
 
 
 def _make_reduced(numerator: int, denominator: int) -> Fraction:
-    """Make a Fraction of coprime ints, the second one positive.
-
-    Fraction(n, d) spends 90% of its time on type checks and the greatest common divisor.
-    """
+    """Create a Fraction of coprime ints, the second one positive, in a tenth of the usual time."""
     fraction = _new(Fraction)
     fraction._numerator = numerator  # type: ignore[attr-defined]
     fraction._denominator = denominator  # type: ignore[attr-defined]
@@ -146,7 +143,7 @@ def _make_reduced(numerator: int, denominator: int) -> Fraction:
 
 
 def divide(value: int, divisor: int) -> Fraction:
-    """Divide by a positive int; `Fraction` takes twice as long."""
+    """Divide by a positive int, twice as fast as `Fraction`."""
     if divisor == 1:
         return _make_reduced(value, 1)
     common = gcd(value, divisor)
@@ -176,9 +173,9 @@ def find_root(square: Fraction) -> Fraction | None:
 
 
 def find_simplest_fraction(a: int, b: int, c: int, d: int) -> tuple[int, int]:
-    """Find the fraction q/p of least terms strictly between a/b and c/d, as (p, q).
+    """Find the simplest fraction q/p strictly between a/b >= 0 and c/d, as (p, q).
 
-    a is at least 0; d = 0 means no upper bound. Cost: O(k) divisions for bounds of k bits.
+    d = 0 means no upper bound. Cost: O(k) divisions for bounds of k bits.
 
     >>> find_simplest_fraction(314, 100, 315, 100)
     (7, 22)
