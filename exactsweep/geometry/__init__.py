@@ -1,1 +1,1 @@
-"""Points, polygons and regions, and functions of them; this package does not know sweeps."""
+"""Polygons and regions as values, with their predicates and searches."""

@@ -1,4 +1,4 @@
-"""Canonical rings: conversion or rejection of closed lines; area and centroid."""
+"""Canonical rings: conversion or rejection of closed polygonal lines; area and centroid."""
 
 from collections.abc import Sequence
 from fractions import Fraction
@@ -31,18 +31,18 @@ class CanonicalRing(NamedTuple):
 
 
 def canonicalize_ring(points: Sequence[Vertex]) -> CanonicalRing:
-    """Bring a closed line of lattice points into canonical form.
+    """Convert a closed polygonal line of lattice points to canonical form.
 
-    The orientation is free; equal neighbours and collinear vertices are allowed. Raises
-    PolygonError for fewer than three distinct points, collinear points only, a spike, or a line
-    that touches or crosses itself. Cost: O(n) for a convex ring, else that of `find_conflict`.
+    Either orientation, equal neighbours and collinear vertices are allowed. Raises PolygonError for
+    fewer than three distinct points, zero area, a spike, or a line that touches or crosses itself.
+    Cost: O(n) for a convex ring, else that of `find_conflict`.
 
     >>> ring = canonicalize_ring([(2, 2), (2, 0), (1, 0), (0, 0), (2, 2)])
     >>> ring.points, ring.vertex_index, ring.edge_index
     (((0, 0), (2, 0), (2, 2)), (3, 1, 0), (1, 0, 3))
     """
     is_long = any(isinstance(c, Fraction) for p in points[:1] for c in p)
-    # They are compared, subtracted and multiplied below, and nothing else.
+    # The code below only compares, subtracts and multiplies them.
     compared = cast(Sequence[Vertex], lazy_points(points)) if is_long else points
     ring, vertices, edges = _join_equal(compared)
     turns = find_turns(ring)
@@ -55,7 +55,7 @@ def canonicalize_ring(points: Sequence[Vertex]) -> CanonicalRing:
     # Without spikes, a vertex without a turn lies inside a straight edge.
     corners = [i for i, turn in enumerate(turns) if turn]
     least = min(range(len(corners)), key=lambda k: ring[corners[k]])
-    # A simple polygon turns at its least vertex in the direction of its orientation.
+    # The turn at the least vertex of a simple polygon gives its orientation.
     if turns[corners[least]] > 0:
         corners = starts = [*corners[least:], *corners[:least]]
     else:
@@ -64,7 +64,7 @@ def canonicalize_ring(points: Sequence[Vertex]) -> CanonicalRing:
         starts = [*corners[1:], corners[0]]
     convex = len({turns[i] > 0 for i in corners}) == 1
     monotone = are_chains_monotone([ring[i] for i in corners])
-    # A convex boundary winds around once for each run to the right.
+    # With left turns only, the winding number is the number of runs to the right.
     if not (convex and monotone):
         _refuse_conflicts(ring, vertices, edges)
     numbers = tuple(vertices[i] for i in corners)
@@ -73,10 +73,7 @@ def canonicalize_ring(points: Sequence[Vertex]) -> CanonicalRing:
 
 
 def are_chains_monotone(ring: Sequence[Vertex]) -> bool:
-    """Decide whether x never decreases to the greatest vertex and never increases on the way back.
-
-    The ring begins at its least vertex. Cost: O(n).
-    """
+    """Decide whether x never decreases up to the greatest vertex and never increases after it."""
     right = ring.index(max(ring))
     xs = [x for x, _ in ring]
     forth, back = xs[: right + 1], xs[right:]
@@ -86,10 +83,7 @@ def are_chains_monotone(ring: Sequence[Vertex]) -> bool:
 def _join_equal(
     points: Sequence[Vertex],
 ) -> tuple[Sequence[Vertex], Sequence[int], Sequence[int]]:
-    """Replace each run of equal neighbours, cyclically, by one vertex.
-
-    Returns the vertices, the least index of each run, and its last index, where its edge starts.
-    """
+    """Join cyclic runs of equal vertices; return one of each run, its least and its last index."""
     starts = [i for i, point in enumerate(points) if point != points[i - 1]]
     edges = [(i - 1) % len(points) for i in (*starts[1:], *starts[:1])]
     vertices = starts if starts[:1] == [0] else [*starts[:-1], 0]
@@ -97,7 +91,7 @@ def _join_equal(
 
 
 def find_turns(ring: Sequence[Vertex]) -> list[int | Fraction]:
-    """Return at each vertex the cross product of the edges before and after it."""
+    """Return the cross product of the edges before and after each vertex."""
     edges = [minus(q, p) for p, q in zip([*ring[-1:], *ring[:-1]], ring, strict=True)]
     return list(map(cross, edges, [*edges[1:], *edges[:1]]))
 
@@ -158,7 +152,7 @@ def find_doubled_area(ring: Sequence[Vertex]) -> int | Fraction:
 
 
 def find_centroid(ring: Sequence[Point]) -> Point:
-    """Find the center of mass of the area in a ring; the first point of a ring without area.
+    """Find the centroid of a ring; the first point if the area is zero.
 
     >>> from exactsweep import Polygon
     >>> print(*find_centroid(Polygon([(0, 0), (3, 0), (0, 6)]).vertices))

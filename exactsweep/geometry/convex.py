@@ -5,8 +5,8 @@
     the interior, and splits a cone at both.
 (2) Every cone wider than a half turn has a diagonal into it. If no cone is that wide, every face is
     convex: a hole in a face would have such a cone at one of its corners.
-(3) So the edges of the pieces are those of the shape, and the diagonals once in each direction. If
-    two of them continue each other on one line, a piece has one edge for both.
+(3) So the edges of the pieces are the edges of the shape, and each diagonal in both directions. A
+    piece joins consecutive collinear edges.
 """
 
 from __future__ import annotations
@@ -29,10 +29,9 @@ _IntEdge = tuple[IntVertex, IntVertex]
 
 
 class _Plan:
-    """The vertices and the edges of a shape, with the diagonals so far, for searches.
+    """A grid of the vertices and the edges of a shape, with the diagonals found so far.
 
-    Attributes:
-        columns: the number of squares in a row or a column, each with 16 vertices on average.
+    It has `columns` rows and columns of squares, with 16 vertices per square on average.
     """
 
     def __init__(self, rings: Sequence[IntRing]) -> None:
@@ -89,10 +88,10 @@ def _find_box(a: IntVertex, b: IntVertex) -> tuple[int, int, int, int]:
 
 
 def cut_to_convex(rings: Sequence[IntRing]) -> list[ConvexRing]:
-    """Cut a shape into convex pieces with its vertices; rings may touch in points.
+    """Cut a shape into convex pieces between its vertices; rings may touch in points.
 
-    Cost: for each reflex vertex that of the vertices and the edges around it, O(n) at worst, times
-    the number of tried diagonals.
+    Cost: for each reflex vertex, the number of diagonals tried, times the number of vertices and
+    edges nearby, O(n) at worst.
     """
     plan = _Plan(rings)
     cones = _find_cones(plan.edges)
@@ -106,7 +105,7 @@ def cut_to_convex(rings: Sequence[IntRing]) -> list[ConvexRing]:
 
 
 def _find_cones(edges: Sequence[tuple[IntVertex, IntVertex]]) -> dict[IntVertex, list[_Corner]]:
-    """Find the cones at each vertex, by (1): from an edge that starts to the next that ends."""
+    """Find the cones at each vertex, by (1)."""
     directions: defaultdict[IntVertex, list[tuple[IntVertex, bool]]] = defaultdict(list)
     for a, b in edges:
         directions[a].append((minus(b, a), True))
@@ -130,7 +129,7 @@ def _find_diagonal(
         for q in _list_ends(p, wide, cones, plan.find_around(p, reach)):
             if not plan.is_blocked(p, q):
                 return q
-        # By (2) there is one.
+        # A diagonal exists by (2).
         assert reach < plan.columns
         reach *= 2
 
@@ -141,7 +140,7 @@ def _list_ends(
     cones: dict[IntVertex, list[_Corner]],
     vertices: Iterable[IntVertex],
 ) -> list[IntVertex]:
-    """List the vertices to which a diagonal could run, the best first."""
+    """List the candidate ends of a diagonal, best first."""
     ranked = []
     for q in vertices:
         direction = minus(q, p)
@@ -159,7 +158,7 @@ def _list_ends(
 
 
 def _walk_faces(cones: dict[IntVertex, list[_Corner]]) -> list[ConvexRing]:
-    """Walk around the faces: an edge leads to the cone that ends in the reverse direction."""
+    """Trace the faces: an edge leads to the cone that ends in the reverse direction."""
     ending = {(p, end): start for p, found in cones.items() for start, end in found}
     pieces = []
     while ending:

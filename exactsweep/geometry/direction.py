@@ -1,9 +1,9 @@
 """Directions in which polygons are monotone.
 
-A polygon is monotone in direction u if every line perpendicular to u meets it in one piece: one
-chain of its edges runs forward along u, the other one backward. It is strictly monotone if no edge
-is perpendicular to u. Monotonicity changes only at directions perpendicular to an edge, so one
-rotation of u finds all directions.
+A polygon is monotone in direction u if its intersection with every line perpendicular to u is
+connected: one chain of its edges runs forward along u, the other one backward. It is strictly
+monotone if no edge is perpendicular to u. Monotonicity changes only at directions perpendicular to
+an edge, so one rotation of u finds all directions.
 """
 
 from __future__ import annotations
@@ -28,7 +28,7 @@ Y_AXIS: Vector = (0, 1)
 
 
 class DirectionError(ExactSweepError):
-    """Polygons that are not monotone in a shared direction, or not to the requested one."""
+    """Polygons that are not monotone in a shared direction, or not in the requested one."""
 
 
 @dataclass(frozen=True)
@@ -38,9 +38,9 @@ class Directions:
     Attributes:
         critical: the directions perpendicular to an edge, as primitive integer vectors, by angle
             from -90 degrees, exclusive, to 90 degrees.
-        at: whether the polygons are monotone, at least weakly, to critical direction k.
+        at: whether the polygons are monotone, at least weakly, in critical direction k.
         after: whether they are strictly monotone in the directions between critical directions k
-            and k + 1. After the last k comes the first direction, after a half turn.
+            and k + 1, or k and the first one after a half turn if k is the last.
 
     >>> print(find_monotone_directions(Polygon([(0, 0), (2, 1), (4, 0), (4, 3), (0, 3)])))
     all from (1, -2) to (1, 2), -63.4 to 63.4 degrees
@@ -51,7 +51,7 @@ class Directions:
     after: tuple[bool, ...]
 
     def __contains__(self, direction: Vector) -> bool:
-        """Decide whether monotone, at least weakly. Cost: O(log n)."""
+        """Decide whether the polygons are monotone, at least weakly. Cost: O(log n)."""
         k = self._last_up_to(direction)
         return self.at[k] if self.critical[k] == reduce_direction(direction) else self.after[k]
 
@@ -69,7 +69,7 @@ class Directions:
         return Directions(tuple(critical), at, after)
 
     def _follow(self, critical: Iterable[Vector]) -> Iterator[tuple[bool, bool]]:
-        """Yield `at` and `after` of directions by angle, all critical ones among them."""
+        """Yield `at` and `after` of directions sorted by angle, which include all critical ones."""
         known = dict(zip(self.critical, zip(self.at, self.after, strict=True), strict=True))
         # The state before the first critical direction is that after the last one.
         state = self.after[-1]
@@ -78,9 +78,9 @@ class Directions:
             yield at, state
 
     def arcs(self) -> tuple[tuple[Vector, Vector], ...]:
-        """Return the maximal arcs as pairs (first, last), counter-clockwise, both included.
+        """Return the maximal closed arcs as pairs (first, last), counter-clockwise.
 
-        A single direction is an arc from itself to itself, and so is the full arc of a convex
+        A single direction is an arc from itself to itself, and so are all directions of a convex
         polygon.
         """
         n = len(self.critical)
@@ -97,10 +97,10 @@ class Directions:
         return tuple(found)
 
     def simplest(self) -> Vector:
-        """Choose the X axis if it is included, else the smallest strict direction, else any.
+        """Choose the X axis if possible, else the shortest strict direction, else any.
 
-        Returns a primitive integer vector; the smallest one has the least sum of squares. Raises
-        DirectionError if there is no direction. Cost: O(n log c) for components up to c.
+        The result is a primitive integer vector. Raises DirectionError if there is no direction.
+        Cost: O(n log c) for components up to c.
 
         >>> find_monotone_directions(Polygon([(0, 0), (1, 2), (0, 4), (3, 4), (3, 0)])).simplest()
         (1, -1)
@@ -131,7 +131,7 @@ class Directions:
         return " and ".join(arcs) or "no direction"
 
     def _last_up_to(self, direction: Vector) -> int:
-        """Return the number of the last critical direction up to this one, -1 before all."""
+        """Return the index of the last critical direction up to this one; -1 before all."""
         return (
             bisect_right(self.critical, slope_key(reduce_direction(direction)), key=slope_key) - 1
         )
@@ -149,8 +149,8 @@ def reduce_direction(direction: Vertex) -> Vector:
 
 
 def read_direction(direction: Iterable[object]) -> Vector:
-    """Read a caller's direction, any pair of exact numbers but (0, 0), as a primitive vector."""
-    # Text, sets and mappings unpack too, but not into components.
+    """Read a pair of exact numbers other than (0, 0) as a primitive vector."""
+    # Strings, sets and mappings unpack too, but not into components.
     if isinstance(direction, str | bytes | set | frozenset | dict):
         raise DirectionError(f"a direction is a pair of numbers, not {quote(direction)}")
     try:
@@ -167,8 +167,8 @@ def read_direction(direction: Iterable[object]) -> Vector:
 def find_monotone_directions(polygon: Polygon) -> Directions:
     """Find all directions in which a polygon is monotone; cached by the polygon.
 
-    u makes a full turn while the sign changes of the edges along the boundary are counted. The
-    polygon is monotone where there are two. Cost: O(n log n).
+    While u rotates, the polygon is monotone wherever the edges around the boundary change between
+    forward and backward twice. Cost: O(n log n).
 
     >>> square = find_monotone_directions(Polygon([(0, 0), (1, 0), (1, 1), (0, 1)]))
     >>> (1, 0) in square, square.after
@@ -196,9 +196,9 @@ def _rotate_through(ring: Sequence[Vertex]) -> Directions:
     for u, group in groupby(order, key=normals.__getitem__):
         weak = changes
         for k in group:
-            # No two neighbours are parallel, so those of an edge perpendicular to u are not
-            # perpendicular. So the pairs counted here are disjoint, and removing the edge joins
-            # its two neighbours.
+            # Neighbours are not parallel, so the neighbours of an edge perpendicular to u are not
+            # perpendicular to u. So the pairs counted here are disjoint, and removing the edge
+            # joins its two neighbours.
             before = local(k)
             weak += (forward[k - 1] != forward[(k + 1) % n]) - before
             forward[k] = not forward[k]
@@ -224,7 +224,7 @@ def _find_simplest_between(u: Vector, v: Vector) -> Vector:
     if u == Y_AXIS:
         u, v = (0, -1), (-v[0], -v[1])
     if u[1] < 0:
-        # u and v are on one side of the X axis, which otherwise would be the choice.
+        # u and v are on one side of the X axis; otherwise the X axis would be the simplest.
         p, q = find_simplest_fraction(-v[1], v[0], -u[1], u[0])
         return p, -q
     return find_simplest_fraction(u[1], u[0], v[1], v[0])

@@ -2,12 +2,11 @@
 
 (1) Shapes meet if and only if their boundaries meet, or a vertex of one exterior lies in the other
     shape.
-(2) Shapes that do not meet are nearest in their boundaries, and two segments that do not meet are
-    nearest at an end of one of them. So the squared distance is the quotient of a squared cross
-    product and a squared length: rational.
+(2) Disjoint shapes are nearest on their boundaries, and disjoint segments at an end of one of them.
+    So the squared distance is rational: a squared cross product divided by a squared length.
 (3) The edges of each boundary are the leaves of a binary tree of boxes. The search opens pairs of
-    boxes in the order of their distances, so it ends at the first pair that is no nearer than the
-    best edges so far.
+    boxes by increasing distance, and ends at the first pair that is no nearer than the nearest
+    edges so far.
 """
 
 from __future__ import annotations
@@ -29,7 +28,7 @@ _NearestRatio = tuple[Rational, Rational]
 
 
 class SquaredDistance(NamedTuple):
-    """The squared distance of two shapes, 0 if they meet, and a nearest point of each."""
+    """The squared distance of two shapes, 0 if they meet, and a nearest point of each shape."""
 
     value: Fraction
     points: tuple[Point, Point]
@@ -37,20 +36,20 @@ class SquaredDistance(NamedTuple):
 
 @tells_arguments
 def distance_squared(a: Region | Vertices, b: Region | Vertices) -> SquaredDistance:
-    """Find the squared distance of two shapes, closed sets, and two nearest points.
+    """Find the squared distance of two shapes as closed sets, and two nearest points.
 
     Args:
         a: a Polygon, a Region or the vertices of a polygon.
-        b: likewise.
+        b: the other shape, in any of these forms.
 
     Returns:
         The square, 0 if the shapes meet, and two nearest points, one of each shape.
 
     Raises:
-        PolygonError: a polygon is not simple. The message begins with "a" or "b".
-        NumberError: a coordinate is not an exact number; likewise.
+        PolygonError: a polygon is not simple.
+        NumberError: a coordinate is not an exact number. Messages begin with "a" or "b".
 
-    Cost: O((m + n) log(m + n)) if few edges are nearly nearest; O(m n log(m n)) at worst.
+    Cost: O((m + n) log(m + n)) if few pairs of edges are nearly nearest; O(m n log(m n)) at worst.
 
     Example:
         >>> square, triangle = [(0, 0), (1, 0), (1, 1), (0, 1)], [(3, 0), (3, 3), (0, 3)]
@@ -64,10 +63,10 @@ def distance_squared(a: Region | Vertices, b: Region | Vertices) -> SquaredDista
 
 
 class _EdgeTree:
-    """The edges of a bounded shape, interior on the left, in a binary tree of boxes.
+    """A binary tree of boxes (left, right, low, high) of the edges of a shape.
 
-    `levels` lists boxes (left, right, low, high), first those of the edges. Each box of a later
-    level encloses two neighbours of the level before; the last level has one box.
+    `levels[0]` has the boxes of the edges. Each box of a later level encloses two neighbours of the
+    previous level; the last level has one box.
     """
 
     def __init__(self, rings: Rings) -> None:
@@ -103,7 +102,7 @@ def _find_nearest(first: _EdgeTree, second: _EdgeTree) -> SquaredDistance:
             if best is None or n * best[1] < best[0] * d:
                 best, nearest = (n, d), edges
             continue
-        # Open the tree with more levels left, so that both boxes have about the same size.
+        # Descend in the tree with more levels left, to keep the boxes about equally large.
         lower, across = (up - 1, over) if up >= over else (up, over - 1)
         mine = range(2 * i, min(2 * i + 2, len(first.levels[lower]))) if lower < up else (i,)
         theirs = range(2 * j, min(2 * j + 2, len(second.levels[across]))) if lower == up else (j,)
@@ -160,10 +159,10 @@ _NearestEnd = tuple[Rational, Rational, Vertex, Edge, bool]
 
 
 def measure_ends(edge: Edge, other: Edge) -> _NearestEnd:
-    """Find which end of two segments that do not meet is nearest to the other segment.
+    """Find which end of two disjoint segments is nearest to the other segment.
 
     Returns the squared distance n / d as n and d; the end, the other segment, and whether the end
-    is one of the first segment.
+    belongs to the first segment.
     """
     best: _NearestEnd | None = None
     for one, side, is_first in ((edge, other, True), (other, edge, False)):
@@ -176,14 +175,14 @@ def measure_ends(edge: Edge, other: Edge) -> _NearestEnd:
 
 
 def find_nearest_ends(edge: Edge, other: Edge) -> tuple[Point, Point]:
-    """Return two nearest points of two segments that do not meet."""
+    """Return two nearest points of two disjoint segments."""
     _, _, (x, y), side, is_first = measure_ends(edge, other)
     at, foot = Point(Fraction(x), Fraction(y)), find_foot((x, y), side)
     return (at, foot) if is_first else (foot, at)
 
 
 def measure_to_edge(point: Vertex, edge: Edge) -> _NearestRatio:
-    """Return the squared distance of a point from a segment, as n / d."""
+    """Return the squared distance n / d of a point from a segment, as (n, d)."""
     (px, py), ((ax, ay), (bx, by)) = point, edge
     dx, dy, x, y = bx - ax, by - ay, px - ax, py - ay
     along, length = x * dx + y * dy, dx * dx + dy * dy
@@ -195,7 +194,7 @@ def measure_to_edge(point: Vertex, edge: Edge) -> _NearestRatio:
 
 
 def find_foot(point: Vertex, edge: Edge) -> Point:
-    """Return the point of a segment that is nearest to a point; the segment may be a point."""
+    """Return the nearest point on a segment, which may be a point."""
     (px, py), ((ax, ay), (bx, by)) = point, edge
     dx, dy = bx - ax, by - ay
     length = dx * dx + dy * dy

@@ -1,4 +1,4 @@
-"""The edges of a shape: search near a place, and the contact of two edges."""
+"""The edges of a shape: searches by box, and the contact of two edges."""
 
 from __future__ import annotations
 
@@ -14,15 +14,12 @@ Rings = Sequence[Sequence[Vertex]]
 """The boundary of a shape: rings with the interior on the left."""
 
 BoxedEdge = tuple[int, int, int, int, Rational, Rational, Rational, Rational, int, int]
-"""An edge: its box, rounded outwards to ints; its ends (ax, ay) and (bx, by); the number of its
-ring, and its number there."""
+"""An edge: its box, rounded outwards to ints; its ends (ax, ay) and (bx, by); the index of its
+ring, and its index in the ring."""
 
 
 class EdgeIndex:
-    """The boundary of a shape or of a path, for searches for edges near a place.
-
-    The interior is on the left of the rings.
-    """
+    """An index of the edges of a shape or a path; rings have the interior on the left."""
 
     def __init__(self, rings: Rings) -> None:
         self.rings = rings
@@ -40,7 +37,7 @@ class EdgeIndex:
 
     @cached_property
     def edges(self) -> list[BoxedEdge]:
-        """The edges, by the left ends of their boxes."""
+        """The edges, sorted by the left ends of their boxes."""
         found: list[BoxedEdge] = []
         for k, ring in enumerate(self.rings):
             ax, ay = ring[-1]
@@ -58,14 +55,11 @@ class EdgeIndex:
         return BoxRows([edge[:4] for edge in self.edges])
 
     def near(self, box: Bounds) -> list[BoxedEdge]:
-        """Return the edges whose boxes meet a box, by their left ends."""
+        """Return the edges whose boxes meet a box, sorted by their left ends."""
         return [self.edges[k] for k in sorted(self._rows.find(box))]
 
     def contains(self, x: Rational, y: Rational, scale: int) -> bool:
-        """Decide whether (x / scale, y / scale), which is on no edge, is inside.
-
-        Cost: that of `near` for a ray to the left.
-        """
+        """Decide whether (x / scale, y / scale), a point on no edge, is inside, by a ray."""
         left, right, low, high = self.box
         if not (left * scale < x < right * scale and low * scale < y < high * scale):
             return False
@@ -129,7 +123,7 @@ def _is_around(
     edges: Iterable[tuple[Rational, Rational, Rational, Rational]],
     scale: int = 1,
 ) -> bool:
-    """Decide whether (x / scale, y / scale), which is on no edge, is right of an odd number."""
+    """Decide whether (x / scale, y / scale), a point on no edge, is right of an odd number."""
     odd = False
     for ax, ay, bx, by in edges:
         up = ay < by

@@ -1,6 +1,6 @@
-"""The shared direction of a pair, and the frame of its sweep: one lattice, rotated to it.
+"""The shared direction of a pair, and its frame, which rotates that direction to the X axis.
 
-Section 2 assumes that the shared direction is the X axis "without loss of generality". A sweep
+Section 2 assumes "without loss of generality" that the shared direction is the X axis. A sweep
 commutes with every invertible linear map. The integer matrix [u; u_perp] maps u to the X axis
 without square roots, and the loops do not depend on the choice of u.
 """
@@ -32,10 +32,9 @@ Kind = Literal["CC", "CM", "MM", "SS"]
 
 
 def find_shared_direction(generatrix: Polygon, directrix: Polygon) -> Vector | None:
-    """Choose a direction in which both polygons are monotone; None if there is none.
+    """Choose the simplest direction in which both polygons are monotone; None if there is none.
 
-    The choice is the X axis if possible, else a strict direction with small components, else any
-    shared direction. Cost: O(m + n) for the X axis, else O((m + n) log(m + n)).
+    Cost: O(m + n) for the X axis, else O((m + n) log(m + n)).
     """
     if generatrix.is_x_monotone and directrix.is_x_monotone:
         return X_AXIS
@@ -57,14 +56,15 @@ def require_monotone(polygon: Polygon, direction: Vector, name: str) -> None:
 class Frame(NamedTuple):
     """The common integer lattice of a pair, rotated so that the shared direction u is the X axis.
 
-    A point v has the coordinates (u . v, u_perp . v) * scale; u_perp is u rotated by 90 degrees.
+    A point v has the coordinates (u . v, u_perp . v) * scale, where u_perp is u rotated by 90
+    degrees.
     """
 
     direction: Vector
     scale: int
 
     def enter(self, scale: int, points: Sequence[Vertex]) -> list[Vertex]:
-        """Convert points from a lattice of another scale, as of `Polygon.lattice`, to the frame."""
+        """Convert points from a lattice of another scale to the frame."""
         k = self.scale // scale
         p, q = self.direction
         if k == 1 and (p, q) == X_AXIS:
@@ -73,13 +73,13 @@ class Frame(NamedTuple):
         return [(p * x + q * y, p * y - q * x) for x, y in points]
 
     def enter_point(self, point: Point, shift: Point = ORIGIN) -> Vertex:
-        """Convert a point minus a vector to the frame; to ints if it is on the lattice."""
+        """Subtract a vector from a point and convert it to the frame; ints if on the lattice."""
         (p, q), scale = self.direction, self.scale
         x, y = point if shift == ORIGIN else minus(point, shift)
         return ratio((p * x + q * y) * scale, 1), ratio((p * y - q * x) * scale, 1)
 
     def leave(self, points: Sequence[Vertex], shift: Point = ORIGIN) -> list[Point]:
-        """Convert points of the frame to the plane, moved by a vector."""
+        """Convert points of the frame to the plane, and add a vector."""
         p, q = self.direction
         scale = self.scale * (p * p + q * q)
         found = []

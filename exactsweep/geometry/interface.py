@@ -1,7 +1,7 @@
 """Shapes and exact fits as GeoJSON objects, the form of `__geo_interface__`.
 
-Coordinates are ints or floats where these are the exact number, else Fractions. Nothing is rounded
-here; a floating-point library rounds when it reads them.
+Coordinates are ints or floats if these are exact, otherwise Fractions, which a floating-point
+library rounds when it reads them.
 """
 
 from __future__ import annotations
@@ -17,7 +17,7 @@ GeoJson = dict[str, Any]
 
 
 def make_polygon(rings: PointRings) -> GeoJson:
-    """Make a Polygon of counter-clockwise rings, the exterior first; holes become clockwise.
+    """Make a GeoJSON Polygon from counter-clockwise rings, the exterior first.
 
     >>> square = [Point(*map(Fraction, p)) for p in ((0, 0), (1, 0), (1, 1), (0, 1))]
     >>> make_polygon([square])["coordinates"]
@@ -30,7 +30,7 @@ def make_polygon(rings: PointRings) -> GeoJson:
 
 
 def make_line(points: Sequence[Point]) -> GeoJson:
-    """Make a LineString, or a Point if all points are equal.
+    """Make a GeoJSON LineString, or a Point if all points are equal.
 
     >>> make_line([Point(Fraction(1), Fraction(1, 2))] * 2)
     {'type': 'Point', 'coordinates': (1, 0.5)}
@@ -42,10 +42,7 @@ def make_line(points: Sequence[Point]) -> GeoJson:
 
 
 def collect(areas: Iterable[PointRings], fits: Iterable[Fit]) -> GeoJson:
-    """Make one geometry of areas and exact fits.
-
-    It is a MultiPolygon if there are no fits, else a GeometryCollection of Polygons, LineStrings
-    and Points.
+    """Make a MultiPolygon of areas or, if there are exact fits, a GeometryCollection of both.
 
     >>> collect([], [])
     {'type': 'MultiPolygon', 'coordinates': ()}

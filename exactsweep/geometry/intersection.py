@@ -1,9 +1,9 @@
 """The intersection of two shapes: its boundary, its area, and a point inside.
 
-(1) Cut the edges of both shapes where they meet. Each piece is inside the other shape, outside, or
-    runs along an edge of it, as a whole.
-(2) The boundary of the intersection consists of the pieces of each shape inside the other, and of
-    the shared pieces of equal direction, counted once.
+(1) Cut the edges of both shapes where they meet. Each piece as a whole is inside the other shape,
+    outside it, or runs along one of its edges.
+(2) The boundary of the intersection consists of the pieces of each shape inside the other, and,
+    once each, the pieces along edges of the same direction.
 """
 
 from __future__ import annotations
@@ -20,10 +20,10 @@ from exactsweep.numbers.number import Edge, Point, Rational, Vertex
 
 
 class _Cuts(NamedTuple):
-    """Common points of an edge and the other boundary, by parameters from 0 to 1.
+    """Common points of an edge and the other boundary, as parameters from 0 to 1.
 
-    `along` has the ranges in which an edge of the other shape runs along it, and whether in the
-    same direction.
+    `along` lists the ranges shared with an edge of the other shape, and whether the directions
+    agree.
     """
 
     places: set[Rational]
@@ -54,8 +54,8 @@ def measure_common_area(boundary: Sequence[Edge]) -> Fraction:
 def find_common_point(boundary: Sequence[Edge], first: Rings, second: Rings) -> Point:
     """Return a point inside both shapes, next to the longest piece of the common boundary.
 
-    From a point of the piece, the ray to the left enters the intersection. The point is halfway
-    to the first edge that the ray meets.
+    A ray to the left from a point of the piece enters the intersection; the result is halfway to
+    the first edge that the ray meets.
     """
     vertices = {*chain.from_iterable((*first, *second))}
     p, q = max(boundary, key=lambda edge: measure_square(minus(*edge)))

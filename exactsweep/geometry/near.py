@@ -1,7 +1,7 @@
-"""The search for boxes that meet: rows of boxes, each row sorted by left ends.
+"""The search for intersecting boxes, in rows sorted by left ends.
 
-(1) A row is at least as high as the mean box. So n boxes have at most 2 n entries in all rows.
-(2) The lower side of the intersection of two boxes lies in one row. So each pair is found once.
+(1) A row is at least as high as the mean box, so n boxes have at most 2 n entries in all rows.
+(2) The lower side of the intersection of two boxes lies in one row, so each pair is found once.
 """
 
 from __future__ import annotations
@@ -15,13 +15,13 @@ Bounds = tuple[Rational, Rational, Rational, Rational]
 """The left, right, low and high end of a closed box."""
 
 _PER_ROW = 16
-"""The mean number of boxes in a row. Any number from 8 to 64 is as fast."""
+"""The mean number of boxes in a row. Speed does not change from 8 to 64."""
 
 _Entry = tuple[Rational, Rational, Rational, Rational, int]
 
 
 class BoxRows:
-    """Boxes on one lattice, enlarged by `reach` to the right and upwards, arranged for searches."""
+    """A search structure for boxes on one lattice, extended by `reach` to the right and upwards."""
 
     def __init__(self, boxes: Sequence[Bounds], reach: int = 0) -> None:
         self._rows: list[list[_Entry]] = []
@@ -50,9 +50,9 @@ class BoxRows:
             insort(row, (*box, number))
 
     def find(self, box: Bounds) -> Iterator[int]:
-        """Yield the numbers of the boxes that meet a box, each once.
+        """Yield the index of each box that meets a box.
 
-        Cost: O(1) for each box that meets one of the rows of the box and does not begin beyond it.
+        Cost: O(1) for each box in the same rows whose left end is not beyond the box.
         """
         left, right, low, high = box
         if not self._rows:
@@ -74,9 +74,9 @@ class BoxRows:
             border = self._south + number * self._height
 
     def find_pairs(self) -> Iterator[tuple[int, int]]:
-        """Yield the pairs of boxes that meet, the lesser number first, each pair once.
+        """Yield each pair of boxes that meet once, the lesser index first.
 
-        Cost: O(1) for each two boxes whose x-ranges meet in a row.
+        Cost: O(1) for each pair of boxes in a row whose x-ranges meet.
         """
         for number, row in enumerate(self._rows):
             border = self._south + number * self._height
@@ -93,9 +93,9 @@ class BoxRows:
 
 
 def find_near(boxes: Sequence[Bounds], reach: int = 0) -> Iterator[tuple[int, int]]:
-    """Yield the pairs of boxes that are within reach in both coordinates, each pair once.
+    """Yield each pair of boxes within reach in both coordinates once, the lesser index first.
 
-    The lesser number comes first. Cost: O(n log n + k) for n boxes and k pairs, if the boxes are
-    not much longer than their distances.
+    Cost: O(n log n + k) for n boxes and k pairs, if the boxes are not much longer than their
+    distances.
     """
     return BoxRows(boxes, reach).find_pairs()

@@ -19,11 +19,11 @@ class Outline:
     Edge k runs from vertex k to the next vertex of its ring.
 
     Attributes:
-        vertices: the vertices of all rings, one ring after another.
+        vertices: the vertices of all rings, ring by ring.
         after: for each vertex, the number of the next vertex of its ring.
-        before: for each vertex, the number of the vertex before.
+        before: for each vertex, the number of the previous vertex of its ring.
         starts: for each ring, the number of its first vertex.
-        numbers: dict from a vertex to its number, the last one of equal vertices.
+        numbers: dict from each vertex to its number, the last one if several are equal.
     """
 
     def __init__(self, rings: Sequence[Sequence[Vertex]]) -> None:
@@ -41,12 +41,12 @@ class Outline:
         self._index = EdgeIndex(rings)
 
     def edge(self, k: int) -> Edge:
-        """Return edge k."""
+        """Return the ends of edge k."""
         return self.vertices[k], self.vertices[self.after[k]]
 
     @property
     def edges(self) -> list[Edge]:
-        """Return all edges, by number."""
+        """All edges, by number."""
         return [self.edge(k) for k in range(len(self.vertices))]
 
     @cached_property
@@ -55,7 +55,7 @@ class Outline:
         return list(map(make_segment, self.edges))
 
     def find_at(self, point: Vertex, scale: int = 1) -> Iterator[tuple[Literal["V", "E"], int]]:
-        """Find the vertices at a point, multiplied by a scale, and the edges with it inside."""
+        """Find the vertices at point / scale, and the edges that contain it between their ends."""
         x, y = point
         box = x // scale, -(-x // scale), y // scale, -(-y // scale)
         for _, _, _, _, ax, ay, bx, by, ring, k in self._index.near(box):
@@ -69,7 +69,7 @@ class Outline:
 def number_features(
     shape: AnyPolygon,
 ) -> tuple[dict[int, Point], dict[int, tuple[int, int]]]:
-    """Return the vertices by input number, and by edge number the numbers of its two ends."""
+    """Map vertex numbers of the input to points, and edge numbers to the numbers of both ends."""
     numbers = [shape.vertex_index(k) for k in range(len(shape))]
     ends = {
         shape.edge_index(k): (numbers[k], numbers[after])

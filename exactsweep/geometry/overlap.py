@@ -1,18 +1,18 @@
-"""The relation of two shapes when one of them is moved: overlap, contact, or apart.
+"""The relation of two shapes, one of them moved: overlap, contact, or apart.
 
 Let D and G be shapes with connected interiors, the second one moved. At a vertex or inside an edge,
-the boundary of a shape has a *cone* on its left: from the ray that leaves to the ray that arrives,
-counter-clockwise. Where several rings touch, the shape is the intersection of their cones.
+the boundary of a shape has a *cone* on its left, counter-clockwise from the outgoing ray to the
+incoming ray. Where several rings touch, the shape is the intersection of their cones.
 
-(1) Interiors meet if two edges cross; or if both shapes have a direction at a common point of the
-    boundaries: a ray of one shape lies inside all cones of the other, or two edges run along each
-        other in one direction. Otherwise, let the boundaries have a common point, on a ring R of G.
-        Then D stays on that side of R on which it touches R, and the interiors are disjoint.
+(1) Interiors meet if two edges cross, or if the shapes have a common direction at a common point of
+    the boundaries: a ray of one shape lies inside all cones of the other, or two edges overlap in
+    the same direction. Otherwise, if the boundaries have a common point on a ring R of G, then D
+    stays on the side of R on which it touches R, and the interiors are disjoint.
 (2) If the boundaries are disjoint, interiors meet if and only if a ring of one shape lies inside
-    the other shape. One vertex of the ring decides that.
+    the other shape. One vertex of the ring decides.
 
 A path is a ring that runs forth and back, or two such rings. Its cones are empty, because each ray
-leaves and arrives; its interior is the path itself.
+is both outgoing and incoming; its interior is the path itself.
 """
 
 from __future__ import annotations
@@ -27,7 +27,7 @@ from exactsweep.geometry.vectors import minus, orientation
 from exactsweep.numbers.number import Edge, Rational, Vertex
 
 _EdgeCone = tuple[Vertex, Vertex]
-"""The rays that leave and arrive at a point of a boundary."""
+"""The outgoing and the incoming ray at a point of a boundary."""
 
 
 class Relation(Enum):
@@ -41,10 +41,10 @@ class Relation(Enum):
 def relate(
     shape: EdgeIndex, part: EdgeIndex, x: Rational = 0, y: Rational = 0, scale: int = 1
 ) -> Relation:
-    """Find the relation of two shapes or paths, the second one moved by (x / scale, y / scale).
+    """Find the relation of two shapes, or a shape and a path, the second at (x / scale, y / scale).
 
-    Not both are paths. All common points of the boundaries lie in the intersection of the two
-    boxes, so only edges that meet it are examined. Cost: that of `EdgeIndex.near` for each of them.
+    Only edges that meet the intersection of the two boxes are examined. Cost: that of
+    `EdgeIndex.near` for each of them.
 
     >>> square = EdgeIndex([[(0, 0), (2, 0), (2, 2), (0, 2)]])
     >>> [relate(square, square, k, k).value for k in (1, 2, 3)]
@@ -73,7 +73,7 @@ def _find_cones(
 ) -> Mapping[Vertex, tuple[set[_EdgeCone], set[_EdgeCone]]] | None:
     """Find the cones of both shapes at the common points of their boundaries.
 
-    Returns None if edges cross, or run along each other in one direction.
+    Returns None if edges cross, or overlap in the same direction.
     """
     cones: defaultdict[Vertex, tuple[set[_EdgeCone], set[_EdgeCone]]]
     cones = defaultdict(lambda: (set(), set()))
@@ -111,7 +111,7 @@ def _find_cones(
                 if z != a:
                     rx, ry = part.after(other)
                     theirs.add(_find_cone(z, a, b, (rx * scale + x, ry * scale + y)))
-    # Where edges run along each other, another ring may touch one of them inside.
+    # Another ring may touch the interior of one of two overlapping edges.
     for first, last, p, q, a, b in along:
         for z, (ours, theirs) in cones.items():
             if first < z < last and orientation(p, q, z) == 0:
@@ -127,7 +127,7 @@ def _move(edge: BoxedEdge, x: Rational, y: Rational, scale: int) -> Edge:
 
 
 def _find_cone(z: Vertex, p: Vertex, q: Vertex, r: Vertex) -> _EdgeCone:
-    """Return the rays that leave and arrive at a point of the edge p q, followed by r."""
+    """Return the cone at a point of the edge p q, followed by r."""
     return minus(r if z == q else q, z), minus(p, z)
 
 
@@ -149,9 +149,9 @@ def _is_in_cone(ray: Vertex, cone: _EdgeCone) -> bool:
 
 
 def find_outside(ring: Sequence[Vertex], room: Bounds) -> Rings:
-    """Return the complement of a ring within a frame around the ring and a room.
+    """Return the complement of a ring within a frame around the ring and a box.
 
-    A shape inside the room overlaps the outside of the ring if and only if it overlaps this shape.
+    A shape inside the box overlaps this shape if and only if it overlaps the complement.
     """
     (left, right, low, high), (west, east, south, north) = EdgeIndex([ring]).box, room
     left, right, low, high = min(left, west), max(right, east), min(low, south), max(high, north)
@@ -161,7 +161,7 @@ def find_outside(ring: Sequence[Vertex], room: Bounds) -> Rings:
 
 
 def contains(outer: Rings, inner: Rings) -> bool:
-    """Decide whether a shape contains another one, boundaries included.
+    """Decide whether a closed shape contains another one.
 
     Cost: that of `relate` for each ring of the outer shape.
     """

@@ -1,8 +1,8 @@
 """The methods that Polygons and Regions share as sets of points: locate, move, rotate, show.
 
 All maps are affine with rational coefficients, so nothing is rounded. A rotation is rational if and
-only if its angle is that of a vector of rational coordinates *and* rational length: quarter turns,
-and rotations by Pythagorean triples such as (3, 4).
+only if it maps the X axis to a vector of rational coordinates *and* rational length: quarter turns,
+and rotations by Pythagorean triples such as (3, 4, 5).
 """
 
 from __future__ import annotations
@@ -43,14 +43,14 @@ class AffineMap(NamedTuple):
     dy: Fraction = _ZERO
 
     def about(self, center: Iterable[object]) -> AffineMap:
-        """Return the map with the same linear part that leaves a point fixed."""
+        """Return the map with the same linear part and the given fixed point."""
         x, y = read_point(center, "center")
         a, b, c, d = self[:4]
         return self._replace(dx=x - a * x - b * y, dy=y - c * x - d * y)
 
 
 class PointSet:
-    """The set of points of a Polygon or of a Region, its boundary included.
+    """The points of a Polygon or a Region, including the boundary.
 
     Methods cost O(n). Images keep the numbers of vertices and edges from the input.
     """
@@ -80,7 +80,7 @@ class PointSet:
 
     @property
     def bounding_box(self) -> tuple[Point, Point]:
-        """The lower left and the upper right corner of the least axis-parallel rectangle."""
+        """The lower left and the upper right corner of the bounding box."""
         left, low, right, high = self.bounds
         return Point(left, low), Point(right, high)
 
@@ -88,7 +88,7 @@ class PointSet:
         raise NotImplementedError
 
     def _facts(self) -> list[tuple[str, str]]:
-        """List the shape's rows of the table in a notebook, as names and texts."""
+        """List the rows of the table in a notebook, as names and texts."""
         raise NotImplementedError
 
     def _repr_svg_(self) -> str:
@@ -108,7 +108,7 @@ class PointSet:
         """Draw the shape with matplotlib, filled, with equal units on both axes.
 
         Args:
-            axes: Axes to draw on; by default those of a new figure of `matplotlib.pyplot`.
+            axes: Axes to draw on; by default those of a new `matplotlib.pyplot` figure.
             style: properties of a `matplotlib.patches.PathPatch`, such as `color="red"`.
 
         Raises ExactSweepError if matplotlib is not installed.
@@ -151,19 +151,19 @@ class PointSet:
     def rotated(
         self, by: object, center: Iterable[object] = (0, 0), *, bits: int = TURN_BITS
     ) -> Self:
-        """Return the shape rotated counter-clockwise: exactly, or near the angle.
+        """Return the shape rotated counter-clockwise, exactly if the rotation is rational.
 
-        Multiples of 90 degrees and pairs of numbers are exact. Any other number of degrees would
-        give irrational vertices. So the method uses a rational rotation with an error of at most
-        2**-bits on the unit circle; each vertex is off by at most 2**-bits times its distance from
-        the center. `exactsweep.geometry.turn.read_turn(by).near(bits)` returns that rotation and
-        its error.
+        Multiples of 90 degrees and pairs of numbers are exact. Other numbers of degrees would give
+        irrational vertices. They are replaced by a rational rotation with an error of at most
+        2**-bits on the unit circle, so the error of a vertex is at most 2**-bits times its distance
+        from the center. `exactsweep.geometry.turn.read_turn(by).near(bits)` returns that rotation
+        and its error.
 
         Args:
             by: degrees; or a pair of numbers, the image of the X axis, a direction of rational
-                length, such as (3, 4) or, the same, ("3/5", "4/5").
+                length, such as (3, 4) or the equivalent ("3/5", "4/5").
             center: a pair of numbers, the fixed point.
-            bits: the precision of an angle without a rational rotation.
+            bits: the precision of an irrational rotation.
 
         Raises:
             NumberError: a direction of irrational length.
@@ -181,7 +181,7 @@ class PointSet:
         return self._image(AffineMap(cosine, -sine, sine, cosine).about(center))
 
     def scaled(self, by: object, center: Iterable[object] = (0, 0)) -> Self:
-        """Return the shape scaled by a number, not 0, or by a pair of them, for X and for Y.
+        """Return the shape scaled by a nonzero number, or by a pair of them for X and Y.
 
         `center` is the fixed point. Raises NumberError for a factor of 0.
 
@@ -209,7 +209,7 @@ class PointSet:
         """Return the mirror image in a line.
 
         Args:
-            along: a pair of numbers, the direction of the line, not (0, 0); upright by default.
+            along: a pair of numbers, the direction of the line; vertical by default.
             center: a pair of numbers, a point of the line.
 
         Raises:
@@ -262,7 +262,7 @@ class PointSet:
     def __geo_interface__(self) -> GeoJson:
         """The shape as a GeoJSON Polygon, as in `shapely.geometry.shape(polygon)`.
 
-        Coordinates are ints or floats if these are the exact number, else Fractions.
+        Coordinates are ints or floats if these are exact, otherwise Fractions.
         """
         return make_polygon(self.rings)
 

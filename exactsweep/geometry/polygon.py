@@ -36,9 +36,9 @@ class Polygon(PointSet):
     """A simple polygon in canonical form; polygons are equal if they are the same set of points.
 
     Args:
-        vertices: pairs of numbers as `to_fraction` reads them, a Polygon, or an object with a
-            `__geo_interface__`, such as a shapely polygon. The orientation is free. The first
-            vertex may be repeated at the end; equal neighbours and collinear vertices are allowed.
+        vertices: pairs of numbers that `to_fraction` accepts, a Polygon, or an object with a
+            `__geo_interface__`, such as a shapely polygon, in either orientation. The first vertex
+            may be repeated at the end; equal neighbours and collinear vertices are allowed.
 
     Raises:
         PolygonError: not pairs, fewer than three distinct vertices, zero area, a spike, a boundary
@@ -46,8 +46,7 @@ class Polygon(PointSet):
             the input; edge i runs from vertex i to the next.
         NumberError: a coordinate that is not an exact number.
 
-    Cost: O(n) for a polygon of n vertices that is convex or monotone in X, O(n log n) for
-    any other.
+    Cost: O(n) for a convex or X-monotone polygon of n vertices, O(n log n) for any other.
 
     Example:
         >>> Polygon([(0, 0), (0, 2), ("1/2", 1), (0, 0)])
@@ -65,7 +64,7 @@ class Polygon(PointSet):
     )
 
     _convex: bool | None
-    _directions: Any  # the directions of monotonicity, once `direction` has found them
+    _directions: Any  # the directions of monotonicity, cached by `direction`
     _monotone: bool | None
     _vertices: tuple[Point, ...] | None
     _lattice: tuple[int, tuple[Vertex, ...]] | None
@@ -95,7 +94,7 @@ class Polygon(PointSet):
         vertex_index: Sequence[int] | None = None,
         edge_index: Sequence[int] | None = None,
     ) -> Self:
-        """Make a Polygon of canonical points, divided by the scale if there is one, unchecked."""
+        """Make a Polygon of canonical points, divided by any scale, without validation."""
         polygon = cls.__new__(cls)
         polygon._vertices = polygon._lattice = None
         if scale is None:
@@ -117,7 +116,7 @@ class Polygon(PointSet):
 
     @property
     def exterior(self) -> "Polygon":
-        """The polygon itself: a Region has an exterior and holes."""
+        """The polygon itself."""
         return self
 
     @property
@@ -127,14 +126,14 @@ class Polygon(PointSet):
 
     @property
     def rings(self) -> tuple[tuple[Point, ...], ...]:
-        """The vertices, as those of the only ring of its boundary."""
+        """The vertices, as the only ring."""
         return (self.vertices,)
 
     def lattice(self) -> tuple[int, tuple[Vertex, ...]]:
-        """Return `(scale, points)`, the polygon on the coarsest integer lattice that holds it.
+        """Return `(scale, points)`, the polygon on the coarsest integer lattice that contains it.
 
-        The points are pairs of ints, the vertices times the scale, the least positive int. If it
-        has more than 8192 bits, the scale is 1 and the pairs are the vertices.
+        The points are pairs of ints: the vertices times the scale, which is the least possible. If
+        it would have more than 8192 bits, the scale is 1 and the points are the vertices.
 
         Example:
             >>> Polygon([(0, 0), ("1/2", 0), (0, "1/3")]).lattice()
@@ -147,7 +146,7 @@ class Polygon(PointSet):
         return self._lattice
 
     def vertex_index(self, k: int) -> int:
-        """Return the index in the caller's input of canonical vertex k, negative from the end.
+        """Return the index of vertex k in the input; negative k count from the end.
 
         Raises PolygonError if there is no vertex k.
         """
@@ -157,10 +156,10 @@ class Polygon(PointSet):
             raise refuse_number(k, "vertex", len(self)) from None
 
     def edge_index(self, k: int) -> int:
-        """Return the index in the caller's input of canonical edge k, from vertex k to k + 1.
+        """Return the index of edge k, from vertex k to k + 1, in the input.
 
-        Of several collinear input edges, it is the first. Raises PolygonError, as `vertex_index`
-        does.
+        If several collinear input edges form edge k, it is the first. Raises PolygonError if there
+        is no edge k.
 
         Example:
             >>> clockwise = Polygon([(0, 0), (0, 2), (2, 0)])
@@ -173,7 +172,7 @@ class Polygon(PointSet):
             raise refuse_number(k, "edge", len(self)) from None
 
     def _scaled(self) -> tuple[int, Sequence[Vertex]]:
-        """Return the lattice points with their scale if known, or else the vertices."""
+        """Return the lattice if known, otherwise the vertices with scale 1."""
         return self._lattice or (1, self.vertices)
 
     @property
@@ -184,20 +183,20 @@ class Polygon(PointSet):
 
     @property
     def is_convex(self) -> bool:
-        """Decide whether all turns are left turns."""
+        """Whether the polygon is convex."""
         if self._convex is None:
             self._convex = min(find_turns(self._scaled()[1])) > 0
         return self._convex
 
     @property
     def is_x_monotone(self) -> bool:
-        """Decide whether every vertical line meets the polygon in one piece or not at all."""
+        """Whether the intersection with every vertical line is connected."""
         if self._monotone is None:
             self._monotone = are_chains_monotone(self._scaled()[1])
         return self._monotone
 
     def _image(self, under: AffineMap) -> "Polygon":
-        """Return the image under an affine map, vertices and edges numbered as before."""
+        """Return the image under an affine map, with the same numbers of vertices and edges."""
         old, points = self.lattice()
         denominator = lcm(*(c.denominator for c in under[:4]))
         scale = lcm(denominator * old, under.dx.denominator, under.dy.denominator)
@@ -206,7 +205,7 @@ class Polygon(PointSet):
         image = [(a * x + b * y + dx, c * x + d * y + dy) for x, y in points]
         vertex_index, edge_index = list(self._vertex_index), list(self._edge_index)
         if a * d < b * c:
-            # In reverse order; the edge after a vertex is then the edge that was before it.
+            # In reverse order, the edge after a vertex is the edge that preceded it.
             image, vertex_index = image[::-1], vertex_index[::-1]
             edge_index = [*edge_index[-2::-1], edge_index[-1]]
         first = image.index(min(image))
@@ -214,7 +213,7 @@ class Polygon(PointSet):
         numbers = [row[first:] + row[:first] for row in (vertex_index, edge_index)]
         if all(type(part) is int for point in image for part in point):
             return Polygon._trust(image, scale, *numbers)
-        # Unrelated denominators: the lattice of such a polygon is its vertices.
+        # The denominators are unrelated, so the vertices serve as the lattice.
         found = [Point(Fraction(x) / scale, Fraction(y) / scale) for x, y in image]
         return Polygon._trust(found, None, *numbers)
 
@@ -240,12 +239,12 @@ class Polygon(PointSet):
     def from_sympy(cls, polygon: "sympy.Polygon") -> "Polygon":
         """Read a rational `sympy.geometry.Polygon`, a triangle or a regular polygon.
 
-        Raises PolygonError for other objects, and as `Polygon` does; NumberError for irrational or
-        symbolic coordinates.
+        Raises PolygonError for other objects, and as `Polygon` does, NumberError for irrational
+        or symbolic coordinates.
         """
         import sympy
 
-        # sympy.Polygon(...) quietly becomes a Segment or Point when its vertices are collinear.
+        # sympy.Polygon(...) returns a Segment or a Point for collinear vertices.
         if not isinstance(polygon, sympy.Polygon):
             raise PolygonError(f"a sympy {type(polygon).__name__} is not a polygon")
         return cls(polygon.vertices)
@@ -287,7 +286,7 @@ class Polygon(PointSet):
         return " ".join(shown)
 
     def __format__(self, spec: str) -> str:
-        """Write all vertices with coordinates in a format of floats, as in `f"{polygon:.3f}"`."""
+        """Format all coordinates by a float format specifier, as in `f"{polygon:.3f}"`."""
         return " ".join(format(vertex, spec) for vertex in self.vertices) if spec else str(self)
 
     def _facts(self) -> list[tuple[str, str]]:

@@ -1,4 +1,4 @@
-"""Polylines: paths of segments, open or closed; a single point, too."""
+"""Polylines: open or closed paths of segments, or single points."""
 
 from __future__ import annotations
 
@@ -20,13 +20,13 @@ class Polyline:
     """A path of segments; polylines are equal if they have the same points in the same order.
 
     Args:
-        points: one point or more, as `Polygon` takes them; a Polyline; or an object whose
+        points: one or more pairs of numbers, as for `Polygon`; a Polyline; or an object whose
             `__geo_interface__` is a Point, a LineString or a LinearRing, without Z coordinates.
             Equal neighbours count once. The path may cross itself.
-        closed: whether a last segment leads back to the first point.
+        closed: whether a segment joins the last point to the first.
 
     Raises:
-        PolygonError: no point, or an object that is no path.
+        PolygonError: no point, or an object that is not a path.
         NumberError: a coordinate that is not an exact number. The message begins with the vertex.
 
     Cost: O(n).
@@ -79,7 +79,7 @@ class Polyline:
 
     @property
     def __geo_interface__(self) -> GeoJson:
-        """The path as a GeoJSON LineString, or a Point; a closed path ends where it begins."""
+        """The path as a GeoJSON LineString or Point; a closed path repeats its first point."""
         return make_line([*self.points, *self.points[:1]] if self.closed else self.points)
 
     def __repr__(self) -> str:

@@ -1,7 +1,4 @@
-"""Readers of vertices: pairs of numbers, and objects with a `__geo_interface__`.
-
-Vertices become points of one integer lattice.
-"""
+"""Readers of vertices, from pairs of numbers or a `__geo_interface__` to an integer lattice."""
 
 from __future__ import annotations
 
@@ -35,7 +32,7 @@ Pairs = Iterable[Iterable[object]]
 
 def read_point(pair: Iterable[object], name: str) -> Point:
     """Read a pair of numbers; errors begin with the given name."""
-    # Text, sets and mappings unpack too, but not into coordinates.
+    # Strings, sets and mappings unpack too, but not into coordinates.
     if isinstance(pair, (str, bytes, set, frozenset, dict)):
         raise PolygonError(f"{name} is {type(pair).__name__}, not a pair of numbers")
     try:
@@ -47,7 +44,7 @@ def read_point(pair: Iterable[object], name: str) -> Point:
 
 
 def refuse_number(k: object, what: str, count: int) -> PolygonError:
-    """Make the error for an index k outside the given count of vertices or edges."""
+    """Make the error for an index k that is out of range."""
     return PolygonError(f"there is no {what} {quote(k)}: they are numbered 0 to {count - 1}")
 
 
@@ -55,7 +52,7 @@ def read_interface(shape: object) -> list[Pairs] | None:
     """Read the exterior and the holes of an object with a `__geo_interface__`, or a GeoJSON dict.
 
     Z coordinates are dropped, with a warning. Returns None for other objects; raises PolygonError
-    if the object is not one polygon, or empty.
+    unless the object is one polygon, not empty.
 
     >>> import shapely
     >>> read_interface(shapely.box(0, 0, 2, 1))
@@ -90,7 +87,7 @@ def has_heights(ring: Sequence[object]) -> bool:
 
 
 def drop_heights(ring: list[Any]) -> list[Any]:
-    """Drop the Z coordinates of a ring, with a warning that names the caller of the package."""
+    """Drop the Z coordinates of a ring, with a warning at the caller of the package."""
     level, frame = 1, sys._getframe()
     while frame.f_back and frame.f_globals.get("__name__", "").startswith(_PACKAGE):
         level, frame = level + 1, frame.f_back
@@ -99,13 +96,10 @@ def drop_heights(ring: list[Any]) -> list[Any]:
 
 
 def read_vertices(vertices: Iterable[Iterable[object]]) -> Lattice:
-    """Read the vertices of a polygon, pairs of numbers or a `__geo_interface__`, as `to_lattice`.
+    """Read the vertices of a polygon, and put them on a lattice as `to_lattice` does.
 
-    Raises:
-        PolygonError: not pairs, or a polygon with holes.
-        NumberError: a coordinate that is not an exact number. The message begins with the vertex.
-
-    Cost: O(n) for ints; otherwise one `to_fraction` for each number.
+    Raises PolygonError for other values than pairs, or for a polygon with holes, and NumberError
+    for a coordinate that is not an exact number.
 
     >>> read_vertices([(0, 1), ("1/2", 0), [2, 0.5]])
     (2, [(0, 2), (1, 0), (4, 1)])
@@ -138,11 +132,11 @@ def read_vertices(vertices: Iterable[Iterable[object]]) -> Lattice:
 
 
 def to_lattice(points: Sequence[Point]) -> Lattice:
-    """Put points on the coarsest integer lattice that holds them.
+    """Put points on the coarsest integer lattice that contains them.
 
-    Returns the scale, the least common denominator, and the points times the scale, as pairs of
-    ints. If the scale would exceed 8192 bits, it is 1 and the points are unchanged: with unrelated
-    denominators, each int would be longer than all coordinates together.
+    Returns the scale, which is the least common denominator, and the points times the scale, as
+    pairs of ints. If the scale would exceed 8192 bits, it is 1 and the points are unchanged: with
+    unrelated denominators, each int would be longer than all coordinates together.
     """
     scale = lcm_within({c.denominator for point in points for c in point})
     if scale is None:
@@ -155,7 +149,7 @@ def to_lattice(points: Sequence[Point]) -> Lattice:
 
 def reduce_lattice(scale: int, points: tuple[Vertex, ...]) -> tuple[int, tuple[Vertex, ...]]:
     """Divide a scale and its points by their common divisor."""
-    # With a scale above one all coordinates are ints.
+    # If the scale is above one, all coordinates are ints.
     common = scale
     for coordinate in chain.from_iterable(points):
         if common == 1:
@@ -167,7 +161,7 @@ def reduce_lattice(scale: int, points: tuple[Vertex, ...]) -> tuple[int, tuple[V
 
 
 def lcm_within(denominators: Iterable[int], bits: int = _LATTICE_BITS) -> int | None:
-    """Return the least common multiple, or None if it has more bits than a scale may have."""
+    """Return the least common multiple, or None if it has more than the given number of bits."""
     scale = 1
     for denominator in denominators:
         scale = lcm(scale, denominator)

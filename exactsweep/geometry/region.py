@@ -28,10 +28,9 @@ class Region(PointSet):
     """A polygon with holes; regions are equal if they are the same set of points.
 
     Args:
-        exterior: the outer boundary, a Polygon or its vertices as `Polygon` takes them; or a
-            Region, or another object with a `__geo_interface__`, whose holes then count with the
-            others.
-        holes: the holes, likewise, in any order and orientation.
+        exterior: the outer boundary, as a Polygon or vertices; or a Region or another object with a
+            `__geo_interface__`, whose holes are added to the others.
+        holes: Polygons or their vertices, in any order and orientation.
 
     Raises:
         PolygonError: a ring is not simple; a hole is not inside the exterior, or overlaps another
@@ -40,7 +39,7 @@ class Region(PointSet):
             in the input; edge i runs from vertex i to the next.
         NumberError: a coordinate that is not an exact number.
 
-    Cost: O(n log n + p) for n vertices, p pairs of edges whose bounds meet, and O(n) for each hole.
+    Cost: O(n log n + h n + p) for n vertices, h holes and p pairs of edges whose bounds meet.
 
     Example:
         >>> plate = Region([(0, 0), (4, 0), (4, 3), (0, 3)], [[(1, 1), (2, 1), (1, 2)]])
@@ -54,7 +53,7 @@ class Region(PointSet):
 
     exterior: Polygon
     holes: tuple[Polygon, ...]
-    # For each ring the number of its first vertex, here and in the caller's input.
+    # The number of the first vertex of each ring, here and in the input.
     _starts: tuple[int, ...]
     _firsts: tuple[int, ...]
 
@@ -62,7 +61,7 @@ class Region(PointSet):
         inner: list[Polygon] = []
         is_checked = isinstance(exterior, Region)
         if isinstance(exterior, Region):
-            # In the order of the input, so that features keep their numbers.
+            # The order of the input preserves the numbers of features.
             order = sorted(range(len(exterior.holes)), key=exterior._firsts[1:].__getitem__)
             inner += [exterior.holes[k] for k in order]
             exterior = exterior.exterior
@@ -104,10 +103,9 @@ class Region(PointSet):
         return (self.exterior.vertices, *(hole.vertices for hole in self.holes))
 
     def lattice(self) -> tuple[int, tuple[tuple[Vertex, ...], ...]]:
-        """Return `(scale, rings)`, the region on the coarsest integer lattice that holds it.
+        """Return `(scale, rings)`, the region on the coarsest integer lattice that contains it.
 
-        The rings have the interior on the left, each point a vertex times the scale. The scale is
-        as for `Polygon.lattice`.
+        The rings have the interior on the left. The scale is that of `Polygon.lattice`.
 
         Example:
             >>> Region([(0, 0), (3, 0), (0, 3)], [[("1/2", 1), (1, "1/2"), (1, 1)]]).lattice()[1]
@@ -123,25 +121,26 @@ class Region(PointSet):
 
     @property
     def is_convex(self) -> bool:
-        """Decide whether the region is convex; it is not if it has a hole."""
+        """Whether the region is convex; never with holes."""
         return not self.holes and self.exterior.is_convex
 
     def _image(self, under: AffineMap) -> Region:
         return _restore([ring._image(under) for ring in (self.exterior, *self.holes)], self._firsts)
 
     def vertex_index(self, k: int) -> int:
-        """Return the index in the caller's input of vertex k, counted through all `rings`.
+        """Return the index of vertex k, counted through all `rings`, in the input.
 
-        In the input, too, the exterior comes first; the holes follow in the given order. Raises
-        PolygonError if there is no vertex k; negative k count from the end.
+        In the input, too, the exterior comes first; the holes follow in the given order. Negative k
+        count from the end. Raises PolygonError if there is no vertex k.
         """
         first, ring, k = self._ring_of(k, "vertex")
         return first + ring.vertex_index(k)
 
     def edge_index(self, k: int) -> int:
-        """Return the index in the caller's input of edge k, from vertex k to the next of its ring.
+        """Return the index of edge k, from vertex k to the next of its ring, in the input.
 
-        The count is that of `vertex_index`. Of collinear input edges, it is the first.
+        Edges are counted as in `vertex_index`. If several collinear input edges form edge k, it is
+        the first.
         """
         first, ring, k = self._ring_of(k, "edge")
         return first + ring.edge_index(k)
@@ -164,7 +163,7 @@ class Region(PointSet):
         return self.exterior == other.exterior and self.holes == other.holes
 
     def __hash__(self) -> int:
-        # That of a Polygon, which is equal, if there are no holes.
+        # A Region without holes equals its exterior.
         return hash((self.exterior, self.holes) if self.holes else self.exterior)
 
     def __reduce__(self) -> tuple[object, ...]:
@@ -220,24 +219,20 @@ def to_region(shape: Region | Vertices, name: str) -> Region:
 
 
 def to_regions(shapes: Iterable[Region | Vertices], name: str) -> tuple[Region, ...]:
-    """Read a list of shapes; errors name a shape by its index."""
+    """Read a list of shapes; errors give the index of a shape."""
     if isinstance(shapes, (Polygon, Region)):
         raise PolygonError(f"{name} is a single shape; give a list of shapes")
     return tuple(to_region(shape, f"{name} shape {k}") for k, shape in enumerate(shapes))
 
 
 _LONG = 1024
-"""The most bits of the scale of a lattice that regions share."""
+"""Maximum number of bits of the scale of a lattice that regions share."""
 
 
 def common_lattice(
     polygons: Sequence[Polygon],
 ) -> tuple[int, list[tuple[Vertex, ...]]]:
-    """Put polygons on the coarsest lattice that holds them all.
-
-    Returns the scale, and the vertices of each polygon times the scale. If the scale had more than
-    8192 bits, it is 1 and the vertices are unchanged.
-    """
+    """Put polygons on the coarsest lattice that contains them all, as `to_lattice` does."""
     scale = lcm_within(polygon.lattice()[0] for polygon in polygons)
     if scale is None:
         return 1, [polygon.vertices for polygon in polygons]
@@ -248,10 +243,10 @@ def common_lattice(
 
 
 def share_lattice(regions: Sequence[Region]) -> tuple[int, list[list[list[Vertex]]]]:
-    """Put regions on the coarsest integer lattice that holds them all.
+    """Put regions on the coarsest integer lattice that contains them all.
 
     Returns the scale, and the rings of each region times the scale, with the interior on the left.
-    If the scale had more than 1024 bits, all numbers would be longer than any vertex. Then it is 1,
+    If the scale would exceed 1024 bits, all numbers would be longer than any vertex; then it is 1,
     and vertices off that lattice are Fractions.
     """
     lattices = [region.lattice() for region in regions]
@@ -299,7 +294,7 @@ def _check(exterior: Polygon, holes: Sequence[Polygon]) -> None:
     for pair in find_near([shape.box for shape in shapes[1:]]):
         inner, outer = sorted((k + 1 for k in pair), key=lambda k: polygons[k].area)
         one, other = shapes[inner], shapes[outer]
-        # A hole that leaves another one through a point may touch it and disconnects the interior.
+        # If a hole leaves another one through touching points, `_refuse_parted` rejects both.
         is_nested = EdgeIndex([*one.rings, *other.rings]).box == other.box
         if is_nested and relate(one, other) is Relation.OVERLAP:
             raise PolygonError(f"{names[inner]} is inside {names[outer]}")
@@ -309,10 +304,7 @@ def _check(exterior: Polygon, holes: Sequence[Polygon]) -> None:
 def _refuse_parted(
     rings: int, touching: dict[Vertex, set[int]], names: Sequence[str], scale: int
 ) -> None:
-    """Reject rings whose touching points disconnect the interior.
-
-    The interior is disconnected if and only if the graph of rings and touching points has a cycle.
-    """
+    """Reject rings whose touching points disconnect the interior: their graph has a cycle."""
     group = list(range(rings))
 
     def leader(k: int) -> int:

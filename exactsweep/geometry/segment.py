@@ -1,8 +1,7 @@
-"""Segments keyed by their lines, for finding those that overlap.
+"""Segments keyed by their lines, so that a dictionary finds those on one line.
 
-The key of a line has its primitive integer direction (a, b), with a > 0 or (0, 1), and the value a
-* y - b * x. Two segments share a piece of positive length only if they lie on one line, so a
-dictionary finds them.
+The key of a line is its primitive integer direction (a, b), with a > 0 or equal to (0, 1), and the
+value a * y - b * x.
 """
 
 from __future__ import annotations
@@ -23,7 +22,7 @@ class Segment(NamedTuple):
     high: Rational
 
     def minus(self, other: Segment) -> Segment:
-        """Return the translations that move a point of a parallel segment to one of this."""
+        """Return the translations that move some point of a parallel segment to this segment."""
         direction, offset, low, high = other
         return Segment(direction, self.offset - offset, self.low - high, self.high - low)
 
@@ -38,16 +37,13 @@ class Segment(NamedTuple):
 
 
 def find_direction(edge: Edge) -> Vector:
-    """Return the primitive direction of an edge; both orientations give the same."""
+    """Return the primitive direction of an edge, regardless of orientation."""
     (px, py), (qx, qy) = edge
     return reduce_direction((qx - px, qy - py))
 
 
 def lay_point(point: Vertex, direction: Vector) -> Segment:
-    """Return a point as a segment of its line in a direction.
-
-    All lines of the lattice have int offsets, also if the point is not on the lattice.
-    """
+    """Return a point as a degenerate segment of its line in a direction."""
     (a, b), (x, y), along = direction, point, measure_along(direction, point)
     return Segment(direction, ratio(a * y - b * x, 1), along, along)
 
@@ -65,10 +61,7 @@ def measure_along(direction: Vector, point: Vertex) -> Rational:
 
 
 def choose_cover(whole: Segment, pieces: Iterable[tuple[Segment, int]]) -> list[int] | None:
-    """Choose a small set of pieces that covers a segment of their line; indices, or None.
-
-    Cost: O(k) for each of them.
-    """
+    """Choose the indices of a small set of pieces that covers a segment of their line, or None."""
     pieces = sorted(pieces)
     chosen: list[int] = []
     reached = whole.low

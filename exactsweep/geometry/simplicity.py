@@ -1,6 +1,6 @@
-"""The test for closed polygonal lines that touch or cross themselves: a Shamos-Hoey sweep on ints.
+"""The test for closed polygonal lines that touch or cross themselves.
 
-M. I. Shamos and D. Hoey, "Geometric intersection problems", 17th FOCS (1976).
+Source: M. I. Shamos and D. Hoey, "Geometric intersection problems", 17th FOCS (1976).
 """
 
 from bisect import bisect_left
@@ -14,7 +14,7 @@ from exactsweep.numbers.number import Edge, Vertex
 
 
 class Conflict(NamedTuple):
-    """Two features of a ring that meet, each by the index of a vertex or an edge."""
+    """Two features of a ring that meet, as indices of vertices or edges."""
 
     kind: Literal["vertices coincide", "vertex touches edge", "edges cross"]
     first: int
@@ -24,9 +24,9 @@ class Conflict(NamedTuple):
 def find_conflict(ring: Sequence[Vertex]) -> Conflict | None:
     """Find two features of a ring that meet and should not; None if the ring is simple.
 
-    The ring has at least three integer points, not all collinear, no two neighbours equal, no edge
-    that turns back onto the edge before it; collinear vertices are allowed. Edge i runs from vertex
-    i to the next. Cost: O(n log n) comparisons, and moves in the status list.
+    The ring has at least three integer points, not all collinear, no equal neighbours and no spike;
+    collinear vertices are allowed. Edge i runs from vertex i to the next. Cost: O(n log n)
+    comparisons, plus moves in the status list.
     """
     order = sorted(range(len(ring)), key=ring.__getitem__)
     for i, j in pairwise(order):
@@ -38,8 +38,8 @@ def find_conflict(ring: Sequence[Vertex]) -> Conflict | None:
 def _sweep(ring: Sequence[Vertex], order: Sequence[int]) -> Conflict | None:
     """Sweep distinct vertices in lexicographic order, as by a slightly tilted vertical line.
 
-    The status holds the edges that cross the line, bottom to top. Invariant: no two edges that were
-    ever neighbours in it meet. So features that meet at the next vertex are found there or earlier.
+    The status lists the edges that cross the line, from bottom to top. Invariant: no two edges that
+    were ever neighbours in it meet. So a conflict at the next vertex is found there or earlier.
     """
     n = len(ring)
     edges = [(min(p, q), max(p, q)) for p, q in pairwise((*ring, ring[0]))]
@@ -55,7 +55,7 @@ def _sweep(ring: Sequence[Vertex], order: Sequence[int]) -> Conflict | None:
             return Conflict("vertex touches edge", v, edge)
         previous_ends, next_ends = edges[before][1] == point, edges[after][1] == point
         if previous_ends and next_ends:
-            # Both are neighbours: an edge between them would meet them here.
+            # Both edges are neighbours: an edge between them would meet them here.
             status[low : low + 2] = []
             fresh = [(low - 1, low)]
         elif previous_ends or next_ends:

@@ -1,10 +1,10 @@
 """Rotations of the plane: exact ones, and rational ones arbitrarily near an angle.
 
-(1) The cosine and the sine of a rational number of degrees are both rational for multiples of 90
-    only (Niven). Every other rational rotation is given by its cosine and sine.
+(1) The cosine and the sine of a rational number of degrees are both rational only for multiples of
+    90 (Niven). Every other rational rotation is given by its cosine and sine.
 (2) With t = tan(a/2), ((1 - t^2) / (1 + t^2), 2 t / (1 + t^2)) is the point of the unit circle at
     the angle a. Changing t by s moves this point by at most 2 s. So an interval for the tangent,
-    proved by interval arithmetic, bounds the error of a rational rotation.
+    found by interval arithmetic, bounds the error of a rational rotation.
 (3) A rotation with error e on the unit circle moves a point at distance r from the origin to within
     e r of its true image.
 """
@@ -25,10 +25,10 @@ from exactsweep.numbers.error import NumberError
 from exactsweep.numbers.number import Point, find_simplest_fraction, to_fraction
 
 TURN_BITS = 64
-"""The default precision: a rational turn near an irrational one is off by at most 2**-64."""
+"""The default precision: the error of a rational rotation is at most 2**-64."""
 
 MAX_TURN_BITS = 100_000
-"""The greatest precision of a rational turn, whose cost grows with its square."""
+"""The maximum precision of a rational rotation; the cost is quadratic."""
 
 _ZERO, _ONE = Fraction(0), Fraction(1)
 _QUARTERS = ((_ONE, _ZERO), (_ZERO, _ONE), (-_ONE, _ZERO), (_ZERO, -_ONE))
@@ -38,10 +38,7 @@ _mpmath_lock = Lock()
 
 
 class RationalTurn(NamedTuple):
-    """A rational rotation, with a bound on its distance from the requested one on the unit circle.
-
-    The error is 0 for an exact rotation.
-    """
+    """A rational rotation with a bound on its error on the unit circle, 0 if exact."""
 
     cosine: Fraction
     sine: Fraction
@@ -52,15 +49,15 @@ class RationalTurn(NamedTuple):
 class Turn:
     """A counter-clockwise rotation about the origin, by degrees in [0, 360).
 
-    `degrees` is None if only cosine and sine (`exact`) give the rotation; `exact` is None if they
-    are irrational.
+    `degrees` is None for a rotation given by its cosine and sine; `exact`, the pair of both, is
+    None if they are irrational.
     """
 
     degrees: Fraction | None
     exact: tuple[Fraction, Fraction] | None
 
     def near(self, bits: int = TURN_BITS) -> RationalTurn:
-        """Return a rational rotation with an error of at most 2**-bits; 0 if possible.
+        """Return a rational rotation with an error of at most 2**-bits, exact if possible.
 
         Raises NumberError for bits below 1 or above MAX_TURN_BITS. Cost: O(bits^2); cached.
 
@@ -100,7 +97,7 @@ def read_turn(by: object) -> Turn:
 
     Args:
         by: degrees; or a pair of numbers, the image of the X axis, a direction of rational length,
-            such as (3, 4) or, the same, ("3/5", "4/5").
+            such as (3, 4) or the equivalent ("3/5", "4/5").
 
     Raises:
         NumberError: a direction of irrational length, or not a number.
@@ -158,9 +155,7 @@ def from_half_tangent(t: Fraction, quarters: int = 0) -> Point:
 
 
 def bound_half_tangent(degrees: Fraction, bits: int) -> tuple[Fraction, Fraction]:
-    """Bound the tangent of half an angle, from 0 to 90 degrees, by interval arithmetic.
-
-    The lower and the upper bound differ by less than 2**-bits.
+    """Bound the tangent of half an angle from 0 to 90 degrees within 2**-bits.
 
     >>> low, high = bound_half_tangent(Fraction(60), 9)
     >>> 3 * low**2 < 1 < 3 * high**2, high - low < Fraction(1, 512)

@@ -24,36 +24,36 @@ def cross(u: Vertex, v: Vertex) -> Rational:
 
 
 def orientation(p: Vertex, q: Vertex, r: Vertex) -> Rational:
-    """Return twice the area of a triangle, positive if r is left of the line from p to q."""
+    """Return twice the signed area of a triangle, positive if r is left of the line from p to q."""
     return (q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0])
 
 
 def compare_angles(u: Vertex, v: Vertex) -> int:
-    """Compare two directions, counter-clockwise from that of the X axis: -1, 0 or 1."""
+    """Compare two directions by counter-clockwise angle from the X axis: -1, 0 or 1."""
     halves = ((u[1], u[0]) < (0, 0)) - ((v[1], v[0]) < (0, 0))
     return halves or (cross(v, u) > 0) - (cross(v, u) < 0)
 
 
 angle_key = cmp_to_key(compare_angles)
-"""Sorts directions as `compare_angles` compares them."""
+"""A sort key in the order of `compare_angles`."""
 
 
 def is_on_segment(point: Vertex, p: Vertex, q: Vertex) -> bool:
-    """Decide whether a point is on a segment, ends included."""
+    """Decide whether a point is on a closed segment."""
     (tx, ty), (px, py), (qx, qy) = point, p, q
     return (qx - px) * (ty - py) == (qy - py) * (tx - px) and min(p, q) <= point <= max(p, q)
 
 
 def is_between(point: Vertex, p: Vertex, q: Vertex) -> bool:
-    """Decide whether a point is inside a segment, ends excluded."""
+    """Decide whether a point is on an open segment."""
     return is_on_segment(point, p, q) and p != point != q
 
 
 def find_hull(points: Iterable[P]) -> list[P]:
     """Find the convex hull of points (Andrew's monotone chain). Cost: O(n log n).
 
-    Returns the corners, counter-clockwise from the least one; two if the points are collinear, and
-    none if they are equal.
+    Returns the corners, counter-clockwise from the least one: two if the points are collinear, none
+    if they are equal.
 
     >>> find_hull([(0, 0), (4, 0), (1, 1), (2, 0), (0, 4)])
     [(0, 0), (4, 0), (0, 4)]
