@@ -6,6 +6,7 @@ from collections.abc import Callable, Iterable, Iterator, Sequence
 from fractions import Fraction
 from functools import partial
 from itertools import chain
+from operator import sub
 from typing import NamedTuple, NoReturn, Self, TypeVar
 
 from exactsweep.formats.curved.curves import round_root_up
@@ -16,6 +17,7 @@ from exactsweep.formats.part_list import Said
 from exactsweep.formats.rounded import RoundedOutline
 from exactsweep.formats.size import FAULT, require_count
 from exactsweep.geometry.canonical import PolygonError
+from exactsweep.geometry.near import bound_points
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.geometry.region import AnyPolygon, Region
 from exactsweep.numbers.error import NumberError
@@ -197,16 +199,18 @@ class Candidate(NamedTuple):
         found: list[Self] = []
         for region in filled.regions:
             readers = [(f"{self.place}: ring {k}", ring.copy) for k, ring in enumerate(region)]
-            finer = partial(self._find_finer, len(found), len(filled.regions)) if error else None
             piece = self.of_rings(readers, self.place, self.name, self.layer, error)
-            found.append(piece._replace(words=self.words, groups=self.groups, finer=finer))
-        return found
+            found.append(piece._replace(words=self.words, groups=self.groups))
+        if not error:
+            return found
+        return [
+            piece._replace(finer=partial(self._find_finer, found, k))
+            for k, piece in enumerate(found)
+        ]
 
-    def _find_finer(self, k: int, number: int, tolerance: Fraction) -> Candidate | None:
-        """Flatten region k more finely; None if the number of regions changes."""
+    def _find_finer(self, found: Sequence[Self], k: int, tolerance: Fraction) -> Candidate | None:
         finer = self.finer(tolerance) if self.finer else None
-        pieces = finer.split(Said([], [])) if finer else []
-        return pieces[k] if len(pieces) == number else None
+        return choose_same(found, k, finer.split(Said([], [])) if finer else [])
 
     def _make_polygon(self) -> Polygon:
         points = self._short_vertices()
@@ -249,6 +253,17 @@ class Candidate(NamedTuple):
     def named_regions(self, said: Said) -> list[NamedRegion]:
         """Read the region, or if it is not simple those that it fills."""
         return self.read(Candidate.named_region, said)
+
+
+def choose_same(
+    pieces: Sequence[Candidate], k: int, others: Sequence[Candidate]
+) -> Candidate | None:
+    """Return the region that is piece k at another tolerance; None if the regions differ."""
+    if len(pieces) != len(others):
+        return None
+    one, other = pieces[k], others[k]
+    moves = map(sub, bound_points(one.vertices()), bound_points(other.vertices()))
+    return other if max(map(abs, moves)) <= one.error + other.error else None
 
 
 def allow_faults(drawn: Iterable[_Any]) -> Iterator[_Any]:

@@ -13,12 +13,11 @@ from typing import NamedTuple
 
 from exactsweep.formats.candidate import Candidate
 from exactsweep.geometry.canonical import PolygonError
-from exactsweep.geometry.near import Bounds, BoxRows
+from exactsweep.geometry.near import Bounds, BoxRows, bound_points
 from exactsweep.geometry.overlap import contains
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.geometry.region import Region, common_lattice
 from exactsweep.numbers.error import quote
-from exactsweep.numbers.number import Vertex
 
 
 class Nested(NamedTuple):
@@ -167,26 +166,32 @@ class _OwnedRing(NamedTuple):
 
 def _join(rings: Sequence[_OwnedRing], exterior: int, holes: Sequence[int]) -> Candidate:
     outline, inner = rings[exterior].outline, [rings[k].outline for k in holes]
+    own = [rings[k].outline for k in holes if rings[k].owner is not None]
+    others = [rings[k].outline for k in holes if rings[k].owner is None]
     return outline._replace(
         holes=partial(tuple, inner),
         error=max(one.error for one in (outline, *inner)),
-        finer=partial(_find_finer, outline, inner),
+        finer=partial(_find_finer, outline, own, others),
         rule="evenodd" if outline.rule and inner else outline.rule,
     )
 
 
 def _find_finer(
-    outline: Candidate, holes: Sequence[Candidate], tolerance: Fraction
+    outline: Candidate, own: Sequence[Candidate], others: Sequence[Candidate], tolerance: Fraction
 ) -> Candidate | None:
+    """Flatten an outline with its own holes, and others, more finely; None on failure."""
     found = []
-    for one in (outline, *holes):
+    for one in (outline, *others):
         finer = one.finer(tolerance) if one.finer else None if one.error else one
         if finer is None:
             return None
         found.append(finer)
-    first, *others = found
+    first, *holes = found
+    holes += first.holes() if outline.finer else own
+    if len(holes) != len(own) + len(others):
+        return None
     error = max(one.error for one in found)
-    return first._replace(holes=partial(tuple, others), error=error)
+    return first._replace(holes=partial(tuple, holes), error=error)
 
 
 def _find_polygon(ring: Candidate) -> Polygon | None:
@@ -215,7 +220,7 @@ def _nest(rings: Sequence[Polygon | None]) -> _Nesting:
     order = sorted(polygons, key=lambda k: (-polygons[k].area, k))
     _, points = common_lattice([polygons[k] for k in order])
     shapes = dict(zip(order, points, strict=True))
-    boxes = [*map(bound_ring, points)]
+    boxes = [*map(bound_points, points)]
     rows = BoxRows(boxes)
     parents: dict[int, int | None] = {}
     crossings: dict[int, tuple[int, int]] = {}
@@ -249,12 +254,6 @@ def _list_parents(k: int, parents: Mapping[int, int | None]) -> Iterator[int]:
     while parent is not None:
         yield parent
         parent = parents[parent]
-
-
-def bound_ring(ring: Sequence[Vertex]) -> Bounds:
-    """Return the box of a ring."""
-    xs, ys = zip(*ring, strict=True)
-    return min(xs), max(xs), min(ys), max(ys)
 
 
 def _holds(outer: Bounds, inner: Bounds) -> bool:

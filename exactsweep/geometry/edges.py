@@ -6,7 +6,7 @@ from collections.abc import Iterable, Sequence
 from functools import cached_property
 from itertools import chain, pairwise
 
-from exactsweep.geometry.near import Bounds, BoxRows
+from exactsweep.geometry.near import Bounds, BoxRows, bound_points
 from exactsweep.geometry.vectors import cross, is_on_segment
 from exactsweep.numbers.number import Rational, Vertex
 
@@ -27,8 +27,7 @@ class EdgeIndex:
     @cached_property
     def box(self) -> Bounds:
         """The bounds of the shape."""
-        xs, ys = zip(*chain.from_iterable(self.rings), strict=True)
-        return min(xs), max(xs), min(ys), max(ys)
+        return bound_points(chain.from_iterable(self.rings))
 
     @cached_property
     def is_path(self) -> bool:

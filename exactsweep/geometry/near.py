@@ -7,9 +7,9 @@
 from __future__ import annotations
 
 from bisect import insort
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 
-from exactsweep.numbers.number import Rational
+from exactsweep.numbers.number import Rational, Vertex
 
 Bounds = tuple[Rational, Rational, Rational, Rational]
 """The left, right, low and high end of a closed box."""
@@ -18,6 +18,12 @@ _PER_ROW = 16
 """The mean number of boxes in a row. Speed does not change from 8 to 64."""
 
 _Entry = tuple[Rational, Rational, Rational, Rational, int]
+
+
+def bound_points(points: Iterable[Vertex]) -> Bounds:
+    """Return the bounds of one or more points."""
+    xs, ys = zip(*points, strict=True)
+    return min(xs), max(xs), min(ys), max(ys)
 
 
 class BoxRows:

@@ -8,7 +8,7 @@ from functools import partial
 from itertools import islice
 from typing import TYPE_CHECKING, NoReturn
 
-from exactsweep.formats.candidate import Candidate, allow_faults
+from exactsweep.formats.candidate import Candidate, allow_faults, choose_same
 from exactsweep.formats.curved.affine import Affine
 from exactsweep.formats.curved.dots import draw_dot, is_point
 from exactsweep.formats.curved.join import OpenLine, draw_outline, gather
@@ -229,16 +229,20 @@ def _draw_regions(
         crossing = "its subpaths intersect"
         reading.notes[f"{shape.place}: {crossing}: {number} by its fill rule"] = None
     return [
-        piece._replace(finer=partial(_draw_finer, closed, shape, reading, k))
+        piece._replace(finer=partial(_draw_finer, closed, shape, reading, pieces, k))
         for k, piece in enumerate(pieces)
     ]
 
 
 def _draw_finer(
-    closed: Sequence[Path], shape: Candidate, reading: Reading, k: int, tolerance: Fraction
+    closed: Sequence[Path],
+    shape: Candidate,
+    reading: Reading,
+    pieces: Sequence[Candidate],
+    k: int,
+    tolerance: Fraction,
 ) -> Candidate | None:
-    found = _draw_regions(closed, shape, reading.at(tolerance))
-    return found[k] if k < len(found) else None
+    return choose_same(pieces, k, _draw_regions(closed, shape, reading.at(tolerance)))
 
 
 def _name(shape: PlacedElement) -> str | None:

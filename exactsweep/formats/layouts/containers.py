@@ -139,7 +139,7 @@ def _is_word(word: str) -> bool:
 def _bound(outline: Candidate) -> _Spread:
     vertices = outline.vertices()
     if not vertices:
-        raise FormatError(f"{outline.place}: no vertices")
+        raise FormatError(f"{tell_place(outline)}: no vertices")
     xs, ys = zip(*vertices, strict=True)
     return min(xs), min(ys), max(xs), max(ys)
 

@@ -12,7 +12,6 @@ from typing import Literal
 from exactsweep.formats.candidate import Candidate
 from exactsweep.formats.depth import (
     Nested,
-    bound_ring,
     nest_outlines,
     tell_ambiguity,
     tell_place,
@@ -28,7 +27,7 @@ from exactsweep.formats.part_list import Said
 from exactsweep.formats.reading import UNITS, Reading
 from exactsweep.geometry.canonical import PolygonError, find_doubled_area
 from exactsweep.geometry.edges import is_inside
-from exactsweep.geometry.near import BoxRows
+from exactsweep.geometry.near import BoxRows, bound_points
 from exactsweep.numbers.number import Point
 from exactsweep.words import count
 
@@ -105,14 +104,14 @@ def _list_open(outlines: Sequence[Candidate], parts: Sequence[Candidate]) -> lis
     """
     layers = {one.layer for one in outlines if not one.fault}
     shapes = [[ring.vertices() for ring in (one, *one.holes())] for one in parts]
-    rows = BoxRows([bound_ring(rings[0]) for rings in shapes])
+    rows = BoxRows([bound_points(rings[0]) for rings in shapes])
     left, engraved = Counter[str | None](), list[str]()
     for one in (one for one in outlines if one.fault):
         layer = get_layer(one)
         if one.layer not in layers:
             left[one.layer] += 1
         elif one.points and any(
-            _is_on(one.points, shapes[k]) for k in rows.find(bound_ring(one.points))
+            _is_on(one.points, shapes[k]) for k in rows.find(bound_points(one.points))
         ):
             engraved.append(one.fault)
         else:
