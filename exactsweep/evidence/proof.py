@@ -30,7 +30,7 @@ def add_proof(claim: dict[str, Any]) -> dict[str, Any]:
 
     Args:
         claim: a claim made by `evidence.certificate`, or a certificate, whose proof is then
-        replaced.
+            replaced.
 
     Raises:
         NumberError: a coordinate is not an exact number.
