@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping
 from fractions import Fraction
 from itertools import groupby
+from typing import Any
 
 from exactsweep.geometry.canonical import PolygonError
 from exactsweep.geometry.interface import GeoJson, make_line
@@ -20,8 +21,8 @@ class Polyline:
     """A path of segments; polylines are equal if they have the same points in the same order.
 
     Args:
-        points: one or more pairs of numbers, as for `Polygon`; a Polyline; or an object whose
-            `__geo_interface__` is a Point, a LineString or a LinearRing, without Z coordinates.
+        points: one or more pairs of numbers, as for `Polygon`; a Polyline; or a Point, a LineString
+            or a LinearRing of GeoJSON, a dict or a `__geo_interface__`. Z coordinates are dropped.
             Equal neighbours count once. The path may cross itself.
         closed: whether a segment joins the last point to the first.
 
@@ -91,14 +92,17 @@ class Polyline:
 
 
 def _read_path(points: Iterable[Iterable[object]]) -> Iterable[Iterable[object]]:
-    interface = getattr(points, "__geo_interface__", None)
+    is_geojson = isinstance(points, Mapping) and "type" in points
+    interface: Any = points if is_geojson else getattr(points, "__geo_interface__", None)
     if isinstance(interface, Mapping) and interface.get("type") == "Feature":
         interface = interface.get("geometry")
     if not isinstance(interface, Mapping):
         return points
     if interface.get("type") not in _KINDS:
         raise PolygonError(f"a {interface.get('type')} is not a path")
-    coordinates: Iterable[Iterable[object]] = interface["coordinates"]
+    coordinates = interface.get("coordinates")
+    if not isinstance(coordinates, Iterable):
+        raise PolygonError(f"a {interface['type']} without coordinates is not a path")
     found = [coordinates] if interface["type"] == "Point" else [*coordinates]
     return drop_heights(found) if has_heights(found) else found
 

@@ -3,6 +3,7 @@
 import copy
 import pickle
 from fractions import Fraction
+from typing import Any
 
 import pytest
 import shapely
@@ -44,6 +45,24 @@ def test_lines_and_points_of_shapely_are_paths() -> None:
     assert Polyline(ring, closed=True) == Polyline([(0, 0), (1, 0), (0, 1)], closed=True)
     with pytest.raises(PolygonError, match="a Polygon is not a path"):
         Polyline(shapely.box(0, 0, 1, 1))
+
+
+def test_dicts_of_geojson_are_paths() -> None:
+    line: dict[str, Any] = {"type": "LineString", "coordinates": [[0, 0], [1, 2]]}
+    assert Polyline(line) == Polyline([(0, 0), (1, 2)])
+    assert Polyline({"type": "Feature", "geometry": line}) == Polyline(line)
+    assert Polyline({"type": "Point", "coordinates": [1, 2]}) == Polyline([(1, 2)])
+    high: Any = {**line, "coordinates": [[0, 0, 9], [1, 2, 9]]}
+    with pytest.warns(UserWarning, match="Z coordinates are dropped"):
+        assert Polyline(high) == Polyline(line)
+    wrong: Any
+    for wrong, match in (
+        ({"type": "LineString"}, "a LineString without coordinates"),
+        ({"type": "Polygon", "coordinates": []}, "a Polygon is not a path"),
+        ({(0, 0): (1, 1)}, "dict is not a sequence of vertices"),
+    ):
+        with pytest.raises(PolygonError, match=match):
+            Polyline(wrong)
 
 
 def test_objects_other_than_paths_are_rejected() -> None:
