@@ -159,7 +159,7 @@ class Candidate(NamedTuple):
         )
 
     def read(self, read: Callable[[Candidate], _Any], said: Said) -> list[_Any]:
-        """Read the outline, or if it is not simple the regions that it fills."""
+        """Read the outline, or the regions that it fills if it is not simple."""
         if not self.clean:
             try:
                 return [read(self)]
@@ -247,11 +247,11 @@ class Candidate(NamedTuple):
         return NamedRegion(self.region(), self.name, self.layer, self.error)
 
     def named_polygons(self, said: Said) -> list[NamedPolygon]:
-        """Read the polygon, or if it is not simple those that it fills."""
+        """Read the polygon, or the polygons that it fills if it is not simple."""
         return self.read(Candidate.named_polygon, said)
 
     def named_regions(self, said: Said) -> list[NamedRegion]:
-        """Read the region, or if it is not simple those that it fills."""
+        """Read the region, or the regions that it fills if it is not simple."""
         return self.read(Candidate.named_region, said)
 
 

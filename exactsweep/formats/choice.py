@@ -54,10 +54,7 @@ def select(candidates: Sequence[Candidate], choice: str) -> list[Candidate]:
     """Return all candidates with a name, an index from 0, a layer or a group, in this priority.
 
     The prefix "layer:" selects layers only. Rejected candidates of a layer are dropped if it has
-    others. In a group, outlines inside others are holes.
-
-    Raises:
-        FormatError: no candidate matches.
+    others. In a group, outlines inside others are holes. Raises FormatError if nothing matches.
     """
     named = [candidate for candidate in candidates if candidate.name == choice]
     prefix, _, layer = choice.partition("layer:")

@@ -32,7 +32,7 @@ _RowsByRing = dict[str, list[tuple[int, str, str]]]
 
 
 def is_csv(text: str) -> bool:
-    """Return whether a text begins with two numbers, or with a header with x and y or WKT."""
+    """Return whether a text begins with two numbers, or a header with x and y or WKT."""
     head = _head(text)
     is_table = {"x", "y"} <= head or not head.isdisjoint(_WKT)
     return is_table or bool(_NUMBERS.match(text.lstrip().partition("\n")[0]))
@@ -49,18 +49,14 @@ def _head(text: str) -> set[str]:
 
 
 def parse_csv(text: str) -> list[Candidate]:
-    r"""Find the polygons of a table.
+    r"""Find the polygons of a table; raises FormatError for short rows and repeated columns.
 
-    Args:
-        text: one vertex per row, in columns x and y, or without a header in the first two. A column
-            "name", "id" or "part" names the polygon, "polygon" distinguishes polygons with equal
-            names, and "ring" distinguishes rings, the exterior first. Alternatively, one polygon
-            per row in a column "wkt" or "geometry", or one rectangle with "width" and "height",
-            "w" and "h", or "lx" and "ly". Commas, semicolons or tabs separate columns; with the
-            latter two, the decimal point may be a comma.
-
-    Raises:
-        FormatError: a short row, or a repeated column.
+    Each row has one vertex, in columns x and y, or without a header in the first two. A column
+    "name", "id" or "part" names the polygon, "polygon" distinguishes polygons with equal names, and
+    "ring" distinguishes rings, the exterior first. Alternatively, each row has one polygon in a
+    column "wkt" or "geometry", or one rectangle with "width" and "height", "w" and "h", or "lx" and
+    "ly". Commas, semicolons or tabs separate columns; with the latter two, the decimal point may be
+    a comma.
 
     Example:
         >>> [(c.name, len(c.vertices())) for c in parse_csv("name,x,y\na,0,0\na,1,0\na,0,1\n")]

@@ -234,7 +234,6 @@ def _find_next(a: Vertex, b: Vertex, ends: Sequence[Vertex]) -> Vertex:
 def _gather(
     rings: Sequence[list[Vertex]], below: Mapping[Edge, Edge | None], order: Mapping[Edge, int]
 ) -> list[list[list[Vertex]]]:
-    """Assign each hole to its exterior."""
     edges = [[(min(a, b), max(a, b)) for a, b in pairwise((*ring, ring[0]))] for ring in rings]
     owner = {edge: k for k, row in enumerate(edges) for edge in row}
     found = {k: [ring] for k, ring in enumerate(rings) if find_doubled_area(ring) > 0}

@@ -44,10 +44,7 @@ def find_files(path: str) -> list[str]:
     """Find the files of a path, folder or pattern such as `parts/*.dxf`, sorted.
 
     An existing file has priority over a pattern; `**` matches any folders. A folder yields the
-    files in its tree with a suffix of ENDINGS, without hidden ones.
-
-    Raises:
-        FormatError: no file found.
+    visible files in its tree with a suffix of ENDINGS. Raises FormatError if there are none.
 
     Example:
         >>> find_files("part.json"), find_files("-")

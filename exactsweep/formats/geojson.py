@@ -21,10 +21,8 @@ def read_geojson(
 ) -> list[Candidate]:
     """Find the Polygons of a document parsed by `parse_json`; Feature ids are their names.
 
-    Other geometries and open rings become rejected candidates.
-
-    Raises:
-        FormatError: an invalid id, a collection without a list, or nested too deeply.
+    Other geometries and open rings become rejected candidates. Raises FormatError for malformed
+    collections and ids.
     """
     found = _read(JsonNode(document, path), None, 0, {} if notes is None else notes)
     return [*allow_faults(found)]

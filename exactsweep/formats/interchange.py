@@ -151,7 +151,6 @@ def to_shapely(shape: HasGeoInterface, *, nearest: bool = False) -> shapely.Geom
 
 
 def _to_floats(node: Any, nearest: bool) -> Any:
-    """Convert all numbers of a GeoJSON object to floats."""
     if isinstance(node, dict):
         return {key: _to_floats(value, nearest) for key, value in node.items()}
     if isinstance(node, tuple):

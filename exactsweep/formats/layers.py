@@ -15,10 +15,7 @@ from exactsweep.words import count, suggest
 def keep_layers(outlines: Sequence[Candidate], reading: Reading) -> Sequence[Candidate]:
     """Keep the outlines on the selected layers, and note the number of others.
 
-    SVG groups with an id count as layers.
-
-    Raises:
-        FormatError: a layer does not exist.
+    SVG groups with an id count as layers. Raises FormatError if a layer does not exist.
     """
     wanted, ignored = ({*map(str.casefold, n)} for n in (reading.layers, reading.ignored_layers))
     if not wanted and not ignored:

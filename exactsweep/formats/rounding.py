@@ -296,7 +296,6 @@ def _ears(corners: Sequence[Point]) -> list[tuple[Rational, int]]:
 
 
 def _hull(points: Sequence[Point]) -> list[Point]:
-    """Return the convex hull of all cells."""
     return find_hull(
         Point(Fraction(x), Fraction(y))
         for v in points

@@ -30,16 +30,10 @@ _Enclosed = TypeVar("_Enclosed")
 
 
 def parse_wkt(text: str, notes: dict[str, None] | None = None) -> list[Candidate]:
-    """Read WKT polygons.
+    """Read any number of POLYGON, MULTIPOLYGON and GEOMETRYCOLLECTION, case-insensitive.
 
-    Args:
-        text: any number of POLYGON, MULTIPOLYGON and GEOMETRYCOLLECTION, case-insensitive. Z must
-            be constant in each polygon.
-        notes: receives a note on open rings.
-
-    Raises:
-        FormatError: other geometries, M coordinates, varying Z, or a syntax error; the message has
-            the line and the column.
+    `notes` receives a note on open rings. Raises FormatError, with line and column, for M
+    coordinates, varying Z in a polygon, and syntax errors.
 
     Example:
         >>> [len(o.vertices()) for o in parse_wkt("POLYGON ((0 0, 1 0, .5 1e2, 0 0))")]

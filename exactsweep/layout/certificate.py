@@ -68,7 +68,6 @@ def write_certificate(board: Board, faults: Sequence[Fault]) -> dict[str, Any]:
 
 
 def _prove_valid(board: Board, bits: int) -> dict[str, Any] | None:
-    """Find the pieces and normals; return None if the rotations are not precise enough."""
     apart: list[list[Any]] = []
     for entry in chain(_part_placements(board, bits), _part_obstacles(board, bits)):
         if entry is None:
@@ -210,7 +209,6 @@ def _find_point(board: Board, fault: Fault, bits: int) -> Point | None:
 
 
 def _list_outside(board: Board) -> list[_PieceRings]:
-    """List the pieces outside the container, and those of each defect."""
     number = _count_outside(board)
     pieces = [_leave(wall.form, wall.scale) for wall in board.around]
     outside = [piece for wall in pieces[:number] for piece in wall or ()]

@@ -143,10 +143,7 @@ def find_clearance(a: Solid, b: Solid, within: Fraction | None = None) -> Cleara
 
 
 def find_rounded_witness(a: Solid, b: Solid) -> tuple[Point, tuple[int, int]] | None:
-    """Find a point deeper in both solids than their slacks, and its pieces; None if not found.
-
-    Cost: that of `list_clearances`.
-    """
+    """Find a point deeper in both solids than their slacks, and its pieces; None if not found."""
     slack = a.slack + b.slack
     for one in list_clearances(a, b, -slack):
         if one.is_below(-slack):
@@ -157,7 +154,6 @@ def find_rounded_witness(a: Solid, b: Solid) -> tuple[Point, tuple[int, int]] | 
 
 
 def _find_inside(a: Solid, b: Solid, found: Clearance) -> Vertex | None:
-    """Find a point deep in both pieces of a clearance."""
     (i, j), scale = found.pieces, a.scale
     (hull, radius), (other, further) = a.rounded[i], b.rounded[j]
     room, room_beyond = radius - a.slack * scale, further - b.slack * scale
@@ -247,7 +243,6 @@ def _find_middle(hull: Sequence[Vertex]) -> Vertex:
 
 
 def _find_meeting(one: Sequence[Vertex], other: Sequence[Vertex]) -> Vertex:
-    """Find a common point of two overlapping hulls."""
     if len(one) > len(other):
         one, other = other, one
     if len(other) == 2:
@@ -282,7 +277,7 @@ def measure_gap(a: Solid, b: Solid, found: Clearance) -> SquaredDistance:
 
 
 def relate(a: Solid, b: Solid) -> Relation:
-    """Return whether two solids on a common lattice overlap, touch or are disjoint."""
+    """Return the Relation of two solids on a common lattice."""
     if not is_rounded(a, b):
         return meet(a, b)
     found = find_clearance(a, b, Fraction(0))

@@ -33,8 +33,6 @@ def find_nearest_pair(board: Board, touching: tuple[int, int] | None) -> Nearest
     """Find the two nearest placed parts of a board without overlaps; None for fewer than two parts.
 
     `touching` is a pair of placements in contact, if there is any.
-
-    Cost: `find_gap` for each pair with near boxes.
     """
     if any(board.solid(k).form.is_rounded for k in board.placed):
         return _find_rounded(board)
@@ -69,7 +67,6 @@ def _find_best(
 
 
 def _find_rounded(board: Board) -> NearestPair | None:
-    """Find the two nearest placed parts of a board with rounded parts."""
     if len(board.placed) < 2:
         return None
     reach, seen = Fraction(0), set[tuple[int, int]]()

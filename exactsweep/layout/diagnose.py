@@ -104,7 +104,6 @@ def _apply(layout: Layout, change: Convention) -> Layout:
 
 
 def _list_conventions(layout: Layout) -> Iterator[tuple[str, Convention]]:
-    """Yield conventions, the likeliest first."""
     low, high = (layout.container or make_box(Board(layout).frame)).bounding_box
 
     def turn(by: Callable[[Fraction], Fraction], *, all_of_them: bool = True) -> Convention:

@@ -170,7 +170,6 @@ def judge_layout(layout: Layout) -> Judgement:
 
 
 def _judge_pairs(board: Board, contacts: list[tuple[int, int]]) -> Iterator[Fault]:
-    """Yield the faults of pairs of placements, and add touching pairs to `contacts`."""
     spacing, solid = board.layout.spacing, board.solid
     for k, j in board.list_near(spacing):
         found = judge_pair(lambda bits: (solid(k, bits), solid(j, bits)), TURN_BITS, spacing)  # noqa: B023

@@ -17,8 +17,6 @@ def cut_outside(exterior: IntRing, frame: tuple[int, int, int, int]) -> list[Con
 
     The exterior is counter-clockwise; the frame (left, low, right, high) leaves room around it.
 
-    Cost: that of `cut_to_convex` for the pockets.
-
     >>> len(cut_outside([(0, 0), (2, 0), (2, 2), (1, 2), (0, 1)], (-1, -1, 3, 3)))
     5
     """

@@ -39,8 +39,6 @@ def find_depth_move(board: Board, placements: Sequence[int], bits: int) -> Point
 
     It frees the placement from the other one; a single placement, from the outside and the defects.
     None if it fits nowhere at its rotation.
-
-    Cost: that of `no_fit_polygon` or `free_positions`.
     """
     if not board.is_rounded(placements):
         return _find_move(board, placements, bits, Fraction(0))
@@ -80,10 +78,7 @@ def find_repair(board: Board, placements: Sequence[int], bits: int) -> Point | N
 def find_free_move(board: Board, k: int) -> Point | None:
     """Find a shortest move that frees a placement from all others and the container.
 
-    None if it would exceed half the size of the part in x or y. For its precision, see
-    `find_repair`.
-
-    Cost: that of `free_positions` with the neighboring parts.
+    None if it would exceed half the size of the part in x or y.
     """
     layout = board.layout
     if board.is_rounded([k]):

@@ -46,7 +46,7 @@ _MOVABLE = {"overlap", "outside", "too close", "undecided"}
 
 
 class _Condition(NamedTuple):
-    """A required length of the relative move in a unit direction; negative if there is room."""
+    """A minimum length of the relative move in a unit direction; negative if there is room."""
 
     placements: tuple[int, ...]
     x: float
@@ -232,7 +232,6 @@ def _find_least_moves(conditions: Sequence[_Condition], nearly: Fraction) -> dic
 
 
 def _move_one_by_one(judgement: Judgement) -> dict[int, Point]:
-    """Move one placement of each fault to its nearest free position."""
     moves: dict[int, Point] = {}
     for fault in judgement.faults:
         if moves.keys() & set(fault.placements):

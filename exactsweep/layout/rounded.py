@@ -199,7 +199,6 @@ def list_disc(sides: int) -> tuple[Point, ...]:
 
 @cache
 def _list_normals(sides: int) -> list[Point]:
-    """List rational points of the unit circle at nearly equal angles."""
     tangents = [Fraction(tan(pi * k / sides)).limit_denominator(50) for k in range(sides // 4)]
     return [from_half_tangent(t, quarters) for quarters in range(4) for t in tangents]
 

@@ -136,7 +136,6 @@ def _round_up(value: Fraction) -> Fraction:
 
 
 def _find_growth(judgement: Judgement, solids: list[Solid]) -> Fraction:
-    """Return half the spare distance of the two nearest parts."""
     nearest = judgement.distance
     if nearest is None:
         return Fraction(0)

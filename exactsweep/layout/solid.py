@@ -248,10 +248,7 @@ def share_scale(a: Solid, b: Solid) -> tuple[Solid, Solid]:
 
 
 def meet(a: Solid, b: Solid) -> Relation:
-    """Return whether two polygonal solids on a common lattice overlap, touch or are disjoint.
-
-    Cost: that of `geometry.overlap.relate`.
-    """
+    """Return the Relation of two polygonal solids on a common lattice."""
     assert isinstance(a.form, LatticeForm)
     assert isinstance(b.form, LatticeForm)
     return relate(a.form, b.form, b.x - a.x, b.y - a.y)

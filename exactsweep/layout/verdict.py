@@ -132,10 +132,7 @@ def _decide_rounded(a: Solid, b: Solid, bits: int, spacing: Fraction) -> PairVer
 
 
 def find_witness(a: Solid, b: Solid) -> CommonPoint | None:
-    """Find a point inside both true solids, by (2); None if not found. They share a lattice.
-
-    Cost: O(p q) for p and q pieces.
-    """
+    """Find a point inside both true solids, by (2); None if not found. They share a lattice."""
     if is_rounded(a, b):
         found = find_rounded_witness(a, b)
         return found and CommonPoint(*found)
@@ -156,7 +153,6 @@ def find_witness(a: Solid, b: Solid) -> CommonPoint | None:
 
 
 def _cut(piece: ConvexRing, box: LatticeBox) -> Sequence[Vertex]:
-    """Clip a large piece to a box."""
     if len(piece) < _MANY:
         return piece
     left, right, low, high = box

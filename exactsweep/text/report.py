@@ -230,7 +230,7 @@ def list_facts(texts: Mapping[str, str], width: int) -> Table:
 
 
 def write_area(area: Fraction) -> tuple[str, str]:
-    """Format an area rounded ("" if that is exact) and exactly."""
+    """Return a rounded text of an area, "" if it would be exact, and an exact one."""
     exact, rounded = abridge(area), approximate(area)
     return "" if rounded == exact else rounded, exact
 

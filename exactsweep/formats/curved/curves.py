@@ -242,7 +242,6 @@ def make_bezier(controls: Sequence[Point], weights: Sequence[Fraction] = ()) -> 
 
 
 def _find_powers(column: Sequence[int]) -> list[int]:
-    """Return the power basis coefficients, the highest first."""
     found, row, binomial = [], [*column], 1
     degree = len(column) - 1
     for k in range(degree + 1):

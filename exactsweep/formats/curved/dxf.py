@@ -30,10 +30,7 @@ _FULL, _ZERO = Fraction(360), Fraction(0)
 def parse_dxf(text: str, reading: Reading) -> list[Candidate]:
     """Find the outlines of an ASCII DXF text, joining open lines on the same layer.
 
-    Raises:
-        FormatError: not DXF, a requested unit is unknown, or a limit exceeded.
-
-    Cost: linear in the length of the text and in the number of drawn entities.
+    Raises FormatError if the text is not DXF, a requested unit is unknown, or a limit exceeded.
     """
     drawing = read_drawing(text)
     scale = reading.scale(drawing.unit)

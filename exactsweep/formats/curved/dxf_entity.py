@@ -219,7 +219,6 @@ def _divide(text: str) -> Iterator[Entity]:
 
 
 def _layers(found: Iterable[Entity]) -> tuple[dict[str, str], set[str]]:
-    """Find the hidden layers, and the visible ones that do not plot."""
     hidden = {"DEFPOINTS": "for the points of dimensions"}
     unplotted = set()
     for layer in found:

@@ -150,7 +150,6 @@ def find_tolerance(lines: Iterable[OpenLine]) -> Fraction:
 def _note_gaps(
     placed: Sequence[tuple[int, OpenLine, list[int]]], joints: Joints, reading: Reading
 ) -> None:
-    """Note closed gaps that are too large for rounding."""
     first: dict[int, Point] = {}
     gaps = []
     for _, line, ends in placed:
@@ -166,7 +165,7 @@ def _note_gaps(
 
 
 class Joints:
-    """Points to which line ends within `reach` snap, in a hash grid.
+    """A hash grid of points to which line ends within `reach` snap.
 
     With a tolerance, new joints are rounded to a decimal grid.
     """
@@ -275,7 +274,6 @@ def _fault(line: OpenLine, end: Point, count: int, reading: Reading) -> str:
 def _walk(
     lines: Sequence[_Joined], at: Mapping[int, Sequence[int]], points: Sequence[Point], first: int
 ) -> Path:
-    """Follow a closed chain of lines."""
     outline = Path()
     k, joint = first, lines[first].joints[0]
     while True:

@@ -208,7 +208,6 @@ class Path:
         return found
 
     def _corners(self) -> Iterator[tuple[int, int]]:
-        """Yield the indices of consecutive curves."""
         for k in self.curves:
             after = (k + 1) % (len(self.points) - 1) if self.is_closed else k + 1
             if after in self.curves and after != k:

@@ -167,7 +167,6 @@ def find_reason_hidden(placed: PlacedElement) -> str:
 
 
 def _read(shape: PlacedElement, reading: Reading) -> list[Candidate | OpenLine]:
-    """Read the regions and open lines that a shape draws."""
     whole = Candidate(shape.place, list, _name(shape), shape.layer, groups=shape.groups)
     try:
         matrix = shape.matrix

@@ -37,11 +37,7 @@ _HEIGHTS = 10**40
 
 
 def read_path(data: str, matrix: Affine, reading: Reading) -> list[Path]:
-    """Read path data; return a Path for each subpath.
-
-    Raises:
-        FormatError: a syntax error, with the character; or too many vertices.
-    """
+    """Read path data; return a Path for each subpath. Raises FormatError with the character."""
     drawn = Subpaths(matrix, reading)
     place = len(data) - len(data.lstrip(" \t\r\n\f,"))
     while place < len(data):
@@ -185,12 +181,7 @@ def make_elliptic_arc(
     end meets both arcs at most 2 d apart. An irrational angle is replaced by one with rational sine
     and cosine, so that rotating back and forth preserves the ends.
 
-    Args:
-        ends: two distinct points.
-        radii: along the axes; both are scaled up if they are too short for the chord.
-        angle: from the X axis to the first axis, in degrees.
-        flags: SVG's large-arc and sweep flags.
-        matrix: the map from the arc to the result.
+    `flags` are SVG's large-arc and sweep flags.
     """
     (rx, ry), (large, left) = radii, flags
     # The height is a square root, so its error is the root of the angle's error.

@@ -71,7 +71,6 @@ class Style:
 
 
 def _list_declared(text: str, numbers: Iterator[int]) -> Iterator[_Declared]:
-    """Yield the declarations in a rule or a style attribute."""
     for declaration in _COMMENT.sub("", text).split(";"):
         name, _, value = declaration.partition(":")
         value, important, _ = value.lower().partition("!important")

@@ -16,10 +16,7 @@ _MAX_BITS = 50_000
 
 
 def read_transform(text: str) -> Affine:
-    """Read a `transform` attribute, whose last function applies first.
-
-    Raises:
-        FormatError: a syntax error, or numbers that are too long.
+    """Read a `transform` attribute, whose last function applies first; raises FormatError.
 
     Example:
         >>> text = "translate(10) rotate(90)"

@@ -29,9 +29,7 @@ _MAX_ENTITY = 200
 def parse_xml(text: str) -> Element:
     """Parse an XML document, without fetching its document type.
 
-    Raises:
-        FormatError: not XML, an undeclared, long or nested entity, nesting deeper than MAX_DEPTH,
-            or more elements than `limits` allow.
+    Raises FormatError for undeclared, long or nested entities, deep nesting or too many elements.
     """
     require_size(len(text))
     from xml.etree.ElementTree import ParseError, TreeBuilder

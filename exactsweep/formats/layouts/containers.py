@@ -53,10 +53,7 @@ def find_sheets(outlines: Sequence[Candidate], container: str | None) -> list[Sh
             is; None to find it.
 
     Raises:
-        FormatError: there is no container, or none with the given name; the message lists the
-            largest outlines.
-
-    Cost: linear for each container.
+        FormatError: there is no container, or none with the given name.
     """
     boxes = {id(one): _bound(one) for one in outlines}
 

@@ -39,15 +39,7 @@ def draw_layouts(
 ) -> list[FoundLayout]:
     """Make a layout for each container of a drawing; see `find_sheets`.
 
-    Args:
-        text: the drawing.
-        container: as for `find_sheets`; False for no container.
-        reading: the settings; outlines are nested unless `nested` is False.
-
-    Raises:
-        FormatError: an outline cannot be read; omitting it might falsify the verdict.
-
-    Cost: linear, plus that of `nest_outlines`.
+    Raises FormatError if an outline cannot be read, since omitting it might falsify the verdict.
     """
     flat = reading.without_nesting()
     flat.apart = reading.nested is not False
@@ -99,8 +91,7 @@ def draw_layouts(
 def _list_open(outlines: Sequence[Candidate], parts: Sequence[Candidate]) -> list[str]:
     """Describe engraving: open shapes on a layer without closed outlines, or inside one part.
 
-    Raises:
-        FormatError: another shape is open; omitting it might falsify the verdict.
+    Raises FormatError for other open shapes.
     """
     layers = {one.layer for one in outlines if not one.fault}
     shapes = [[ring.vertices() for ring in (one, *one.holes())] for one in parts]
@@ -129,7 +120,6 @@ def _list_open(outlines: Sequence[Candidate], parts: Sequence[Candidate]) -> lis
 
 
 def _is_on(points: Sequence[Point], rings: Sequence[Sequence[Point]]) -> bool:
-    """Return whether all points are inside a shape."""
     return all(is_inside(point, rings) for point in points)
 
 
@@ -217,7 +207,7 @@ def _find_lookalikes(found: Nested) -> list[str]:
 
 
 def _find_artwork(found: Nested) -> list[str]:
-    """Report a hole on another layer than its part, with a part on the latter layer in it."""
+    """Report a hole drawn on another layer than its part, if it contains a part on that layer."""
     around = {id(hole): part for hole, part in found.holes}
     doubtful = [
         (hole, around[id(hole)], inner)
@@ -233,7 +223,7 @@ def _find_artwork(found: Nested) -> list[str]:
 
 
 def _measure(ring: Sequence[Point]) -> tuple[int, str]:
-    """Return a measure of a ring that rigid motions with rounding preserve."""
+    """Return the number of vertices and the rounded area, which rigid motions preserve."""
     area = abs(Fraction(find_doubled_area(ring)))
     digits = f"{area.numerator / area.denominator:.6e}" if area < Fraction(10) ** 300 else ""
     return len(ring) - (ring[0] == ring[-1]), digits

@@ -29,7 +29,7 @@ Flatten = Callable[[Collection[str | None], Fraction], Mapping[str | None, Data]
 
 
 class FoundLayout(NamedTuple):
-    """A layout of a file.
+    """A layout read from a file.
 
     Attributes:
         name: its name among several; "" for the only one.

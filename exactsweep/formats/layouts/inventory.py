@@ -66,11 +66,7 @@ class WantedPart(NamedTuple):
 
 
 def read_inventory(path: str, reading: Reading) -> list[WantedPart]:
-    """Read the parts of a file, folder or pattern; congruent parts are counted as one.
-
-    Raises:
-        FormatError: a part cannot be read.
-    """
+    """Read the parts of a file, folder or pattern, merging congruent ones; raises FormatError."""
     listing = list_parts([path], reading.tolerance, **(reading.options | {"nested": True}))
     found: list[WantedPart] = []
     names = make_unique([part.name for part in listing.parts])
@@ -191,7 +187,6 @@ def _is_alike(wanted: WantedPart, part: Data) -> bool:
 
 
 def _is_named(name: str, wanted: str) -> bool:
-    """Return whether a name is a wanted one, optionally with a copy number."""
     return name == wanted or name.rpartition("-")[0] == wanted
 
 

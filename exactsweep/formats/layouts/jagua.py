@@ -46,7 +46,7 @@ _SOLUTION = (
 )
 _PLACED = "item_id", "id", "transformation", "rotation", "translation", "reflected"
 _MOST_TURNS = 65_536
-# Maximum rounding of angles in single precision, in degrees.
+# Bound on the rounding error of angles in single precision, in degrees.
 _NEARLY = Fraction(1, 10_000)
 
 
@@ -195,7 +195,6 @@ def _is_rounded(degrees: str, written: str) -> bool:
 
 
 def _is_near(degrees: str, written: str) -> bool:
-    """Return whether two rotations are nearly equal modulo 360 degrees."""
     apart = (Fraction(degrees) - Fraction(written)) % 360
     return min(apart, 360 - apart) <= _NEARLY
 

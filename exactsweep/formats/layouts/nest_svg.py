@@ -42,18 +42,10 @@ _SHEET = "#00ff00"
 def read_nest(
     root: Element, reading: Reading, containers: Mapping[str, Data]
 ) -> tuple[NestingInstance, list[FilledSheet]] | None:
-    """Read the SVG of a nesting program.
+    """Read the SVG of a nesting program: its parts, without demands, and its sheets.
 
-    Args:
-        root: the root of a document from `parse_xml`.
-        reading: the settings.
-        containers: the containers of an instance, by id; they override the drawn ones.
-
-    Returns:
-        The parts, without demands, and the sheets; None for an unknown format.
-
-    Raises:
-        FormatError: a part or a sheet cannot be read.
+    None for an unknown format; raises FormatError if a part or a sheet cannot be read. The
+    containers of an instance, by id, override the drawn ones.
     """
     drawing = _NestDrawing(root, reading)
     sheets = list(_jagua(drawing, containers)) or list(_nested(root, drawing))

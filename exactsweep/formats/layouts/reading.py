@@ -284,7 +284,6 @@ def _read_json(
 
 
 def _with_counts(document: JsonNode) -> Data:
-    """Convert demands from text to ints."""
     parts = []
     for part in (document / "parts").each():
         counts = {"demand": (part / "demand").whole} if part.has("demand") else {}
@@ -294,7 +293,6 @@ def _with_counts(document: JsonNode) -> Data:
 
 
 def _compare_parts(drawn: NestingInstance, known: NestingInstance) -> list[str]:
-    """Report parts that differ between a drawing and its instance."""
     others = []
     for name, part in drawn.parts.items():
         if name not in known.parts:
@@ -304,7 +302,7 @@ def _compare_parts(drawn: NestingInstance, known: NestingInstance) -> list[str]:
     if not others:
         return []
     what = f"part {others[0]} is" if len(others) == 1 else f"parts {', '.join(others)} are"
-    return [f"{what} drawn differently from the instance, which is used"]
+    return [f"{what} drawn differently from the instance; the instance is used"]
 
 
 def _make_shape(part: Data) -> object:

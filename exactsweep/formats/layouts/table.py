@@ -69,11 +69,7 @@ def is_table(text: str) -> bool:
 
 
 def read_parts(path: str, reading: Reading) -> dict[str, Data]:
-    """Read the parts for a table from Layout JSON, or from the polygons of a file or folder.
-
-    Raises:
-        FormatError: there are no parts, or one cannot be read.
-    """
+    """Read the parts for a table from Layout JSON, a file or a folder; raises FormatError."""
     text = "" if os.path.isdir(path) or has_magic(path) else read_text(split_choice(path)[0])
     if text.lstrip()[:1] == "{":
         with name_file(path):
@@ -95,7 +91,6 @@ def read_parts(path: str, reading: Reading) -> dict[str, Data]:
 
 
 def _list_parts(data: object) -> Iterator[tuple[JsonNode, Data]]:
-    """Yield the parts of Layout JSON with their ids."""
     for part in (JsonNode(data) / "parts").each():
         name = part / "id"
         if isinstance(part.value, dict):
@@ -119,10 +114,7 @@ def read_table(text: str, parts: Mapping[str, Data], *, radians: bool = False) -
         A FoundLayout for each group, without container, in the order of the table.
 
     Raises:
-        FormatError: a missing column, an unknown part or an invalid number; the message has the
-            line.
-
-    Cost: linear.
+        FormatError: a missing column, an unknown part or an invalid number.
 
     Example:
         >>> (found,) = read_table("id,x,y,r\na,0,0,1\nb,2,0,1\n", {})

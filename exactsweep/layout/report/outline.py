@@ -69,7 +69,6 @@ def _write_piece(piece: RoundedPiece, window: Window, sweep: int) -> str:
 
 
 def _unit(p: Point, q: Point) -> tuple[Fraction, Fraction, Fraction]:
-    """Return the outward normal of a side and its approximate length."""
     x, y = q.y - p.y, p.x - q.x
     return x, y, Fraction(hypot(x, y)) or Fraction(1)
 
