@@ -6,8 +6,9 @@ from collections.abc import Sequence
 from typing import Any
 
 from exactsweep.check.shape import list_rings, scale_shapes
+from exactsweep.geometry.reading import read_point
 from exactsweep.numbers.error import tells_arguments
-from exactsweep.numbers.number import Point, Vertex, to_fraction
+from exactsweep.numbers.number import Vertex
 
 
 @tells_arguments
@@ -19,7 +20,7 @@ def point_in_polygon(point: tuple[Any, Any], polygon: Any) -> int:
         polygon: a Polygon, its vertices or a Region, n edges.
 
     Raises:
-        PolygonError: the polygon is not simple.
+        PolygonError: the polygon is not simple, or the point is not a pair.
         NumberError: a coordinate is not an exact number.
 
     Cost: O(n) comparisons.
@@ -28,8 +29,7 @@ def point_in_polygon(point: tuple[Any, Any], polygon: Any) -> int:
     >>> [point_in_polygon(p, square) for p in [(1, 1), (2, "1/3"), (3, 1)]]
     [1, 0, -1]
     """
-    x, y = point
-    at = Point(to_fraction(x), to_fraction(y))
+    at = read_point(point, "point")
     _, (shape, ((place,),)) = scale_shapes([list_rings(polygon), ((at,),)])
     return locate_in_shape(place, shape)
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from itertools import groupby
 from typing import Any, NamedTuple
 
@@ -22,8 +23,9 @@ from exactsweep.check.standalone import (
 from exactsweep.check.standalone import (
     shape as read_shape,
 )
-from exactsweep.numbers.error import ExactSweepError, tells_arguments
-from exactsweep.numbers.number import Point, to_fraction
+from exactsweep.geometry.reading import read_point
+from exactsweep.numbers.error import ExactSweepError, name_refusals, tells_arguments
+from exactsweep.numbers.number import Point
 
 
 class Verification(NamedTuple):
@@ -69,7 +71,8 @@ def verify(
         certificate makes `verify` raise an exception.
 
     Raises:
-        ExactSweepError: not a polygon, or `max_steps` is not an int above 0.
+        ExactSweepError: not a polygon or a path, and the message begins with its name; or
+            `max_steps` is not an int above 0.
 
     Cost: O(k) for k pairs of an edge and a sum of pieces whose boxes meet; O(n log n) for n pieces
         of a layout with O(n) near pairs.
@@ -82,7 +85,7 @@ def verify(
         raise ExactSweepError("max_steps must be an int, at least 1")
     names = "generatrix", "directrix", "part", "container", "shape"
     asked = zip(names, (generatrix, directrix, part, container, shape), strict=True)
-    given = {name: _read_given(polygon) for name, polygon in asked if polygon is not None}
+    given = {name: _read_given(polygon, name) for name, polygon in asked if polygon is not None}
     walked = None if path is None else _read_path(path)
     try:
         prove(certificate, max_steps)
@@ -100,26 +103,29 @@ def verify(
     return Verification(True, "proved", None)
 
 
-def _read_given(polygon: Any) -> list[Ring]:
+def _read_given(polygon: Any, name: str) -> list[Ring]:
     rings = (polygon.exterior, *polygon.holes) if hasattr(polygon, "holes") else (polygon,)
-    try:
-        return [
-            [node(*map(to_fraction, p)) for p in getattr(points, "vertices", points)]
-            for points in rings
-        ]
-    except TypeError:
-        raise ExactSweepError(
-            f"a {type(polygon).__name__} is neither a polygon nor a Region"
-        ) from None
+    with name_refusals(name):
+        try:
+            return [_read_points(getattr(points, "vertices", points)) for points in rings]
+        except TypeError:
+            raise ExactSweepError(
+                f"a {type(polygon).__name__} is neither a polygon nor a Region"
+            ) from None
 
 
 def _read_path(path: Any) -> Ring:
-    try:
-        points = [node(*map(to_fraction, p)) for p in getattr(path, "points", path)]
-    except TypeError:
-        raise ExactSweepError(f"a {type(path).__name__} is not a path") from None
+    with name_refusals("path"):
+        try:
+            points = _read_points(getattr(path, "points", path))
+        except TypeError:
+            raise ExactSweepError(f"a {type(path).__name__} is not a path") from None
     is_closed = getattr(path, "closed", False)
     return _drop_repeated([*points, *points[:1]] if is_closed else points)
+
+
+def _read_points(points: Iterable[Iterable[object]]) -> Ring:
+    return [node(*read_point(p, f"vertex {k}")) for k, p in enumerate(points)]
 
 
 def _drop_repeated(points: Ring) -> Ring:

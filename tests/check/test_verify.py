@@ -13,8 +13,8 @@ from hypothesis import strategies as st
 from strategies import Kind, pairs
 from tiers import examples
 
-from exactsweep import Point, Polygon, Region, no_fit_polygon, sweep
-from exactsweep.check import verify
+from exactsweep import Point, Polygon, PolygonError, Region, no_fit_polygon, sweep
+from exactsweep.check import point_in_polygon, verify
 from exactsweep.numbers.error import ExactSweepError
 
 
@@ -78,10 +78,20 @@ def test_a_hole_given_the_other_way_around_is_the_same() -> None:
     assert verify(certificate, directrix=holed).proved
 
 
-@pytest.mark.parametrize("given", [3, object(), [1, 2, 3]])
+@pytest.mark.parametrize("given", [3, object()])
 def test_what_is_no_polygon_is_an_error(given: Any) -> None:
     with pytest.raises(ExactSweepError, match="neither a polygon nor a Region"):
         verify({}, directrix=given)
+
+
+@pytest.mark.parametrize("wrong", ["00", {0}, {0: 0, 1: 1}, (0, 0, 0), 5])
+def test_text_and_sets_are_no_points(wrong: Any) -> None:
+    polygon: Any = [(0, 0), wrong, (2, 2), (0, 2)]
+    for name in ("generatrix", "directrix", "part", "container", "shape", "path"):
+        with pytest.raises(PolygonError, match=f"^{name}: vertex 1 is .*not a pair of numbers"):
+            verify(certificates()["CC"], **{name: polygon})
+    with pytest.raises(PolygonError, match=r"^point is .*not a pair of numbers"):
+        point_in_polygon(wrong, SQUARE)
 
 
 @pytest.mark.parametrize("steps", [0, -1, 1.5, True, "9"])
