@@ -108,6 +108,27 @@ def test_ids_questions_and_answers_of_released_versions_are_unchanged() -> None:
         before = count
 
 
+@pytest.mark.long
+def test_the_digest_is_that_of_the_page(folder: Path) -> None:
+    page = (folder / "HOW-TO-READ.md").read_text(encoding="utf-8")
+    recipe = page.partition("`versions.json`")[2].partition("`CHANGELOG.md`")[0]
+    names = {*re.findall(r"`(\w+)`", recipe)}
+    files = sorted((folder / "cases").iterdir())
+    found = [json.loads(line) for file in files for line in file.open(encoding="utf-8")]
+    for version, released in json.loads((folder / "versions.json").read_text()).items():
+        lines = [
+            json.dumps(
+                {name: case[name] for name in names & case.keys()},
+                sort_keys=True,
+                separators=(",", ":"),
+            )
+            for case in found
+            if case["version"] <= int(version)
+        ]
+        text = "".join(f"{line}\n" for line in sorted(lines))
+        assert sha256(text.encode()).hexdigest() == released["sha256"]
+
+
 def test_the_digest_sees_questions_and_answers_and_nothing_else(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
