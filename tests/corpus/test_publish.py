@@ -113,8 +113,8 @@ def test_the_digest_is_that_of_the_page(folder: Path) -> None:
     page = (folder / "HOW-TO-READ.md").read_text(encoding="utf-8")
     recipe = page.partition("`versions.json`")[2].partition("`CHANGELOG.md`")[0]
     names = {*re.findall(r"`(\w+)`", recipe)}
-    files = sorted((folder / "cases").iterdir())
-    found = [json.loads(line) for file in files for line in file.open(encoding="utf-8")]
+    texts = [path.read_text(encoding="utf-8") for path in (folder / "cases").iterdir()]
+    found = [json.loads(line) for text in texts for line in text.splitlines()]
     for version, released in json.loads((folder / "versions.json").read_text()).items():
         lines = [
             json.dumps(
