@@ -247,3 +247,13 @@ def test_an_open_shape_in_a_hole_may_be_a_part(around: str) -> None:
     assert found.unchecked == ("1 open shape on parts (line 1)",)
     with pytest.raises(FormatError, match=r"open end at \(3,3\)"):
         parse_layouts(drawing % "3,3 5,3 5,5 3,5 3,3.1")
+
+
+def test_an_open_shape_in_a_closed_one_of_its_layer_is_engraving() -> None:
+    line = '<path fill="none" d="M2.5 2.5h1v1"/>'
+    engraving = layer("engrave", (2, 2, 6, 6)).replace("</g>", f"{line}</g>")
+    (found,) = parse_layouts(
+        on_layers(layer("sheet", SHEET), layer("cut", (1, 1, 8, 8)), engraving)
+    )
+    assert found.unchecked == ("1 open shape on parts (line 4)",)
+    assert len(found.data["parts"][0]["holes"]) == 1

@@ -89,21 +89,18 @@ def draw_layouts(
 
 
 def _list_open(outlines: Sequence[Candidate], parts: Sequence[Candidate]) -> list[str]:
-    """Describe engraving: open shapes on a layer without closed outlines, or inside one part.
+    """Describe engraving: open shapes on a layer without closed outlines, or on one part.
 
     Raises FormatError for other open shapes.
     """
     layers = {one.layer for one in outlines if not one.fault}
-    shapes = [[ring.vertices() for ring in (one, *one.holes())] for one in parts]
-    rows = BoxRows([bound_points(rings[0]) for rings in shapes])
+    rows = BoxRows([bound_points(part.vertices()) for part in parts])
     left, engraved = Counter[str | None](), list[str]()
     for one in (one for one in outlines if one.fault):
         layer = get_layer(one)
         if one.layer not in layers:
             left[one.layer] += 1
-        elif one.points and any(
-            _is_on(one.points, shapes[k]) for k in rows.find(bound_points(one.points))
-        ):
+        elif one.points and any(_is_on(one, parts[k]) for k in rows.find(bound_points(one.points))):
             engraved.append(one.fault)
         else:
             hint = "" if layer is None else f" (--ignore-layer {layer} skips its layer)"
@@ -119,8 +116,12 @@ def _list_open(outlines: Sequence[Candidate], parts: Sequence[Candidate]) -> lis
     return said
 
 
-def _is_on(points: Sequence[Point], rings: Sequence[Sequence[Point]]) -> bool:
-    return all(is_inside(point, rings) for point in points)
+def _is_on(shape: Candidate, part: Candidate) -> bool:
+    """Decide whether all points of an open shape are on a part; an outline is elsewhere."""
+    # A hole on the layer of the shape, not on that of the part, is engraving.
+    holes = [h for h in part.holes() if h.layer in (None, part.layer) or h.layer != shape.layer]
+    rings = [ring.vertices() for ring in (part, *holes)]
+    return all(is_inside(point, rings) for point in shape.points)
 
 
 def _make_layout(sheet: Sheet, found: Nested) -> FoundLayout:
