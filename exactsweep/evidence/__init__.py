@@ -1,1 +1,1 @@
-"""Sweeps and fits with their reasons: contacts, undercuts, exact fits, certificates."""
+"""Answers with their evidence: contacts, undercuts, exact fits, certificates."""

@@ -14,7 +14,7 @@ _CELLS = 1 << 30
 
 
 class BoxGrid:
-    """A grid of cells over the given points, on which boxes are ints."""
+    """A grid of cells over the given points, in which boxes have int coordinates."""
 
     def __init__(self, points: Sequence[Node]) -> None:
         xs, ys = [x // w for x, _, w in points], [y // w for _, y, w in points]
@@ -32,14 +32,14 @@ class BoxGrid:
 
 
 def are_touching(one: CellBox, other: CellBox) -> bool:
-    """Return whether two boxes have a point in common."""
+    """Decide whether two closed boxes intersect."""
     left, right, low, high = one
     west, east, south, north = other
     return west <= right and left <= east and south <= high and low <= north
 
 
 class Tree(NamedTuple):
-    """Numbered boxes: the box of all; its half perimeter, -1 for one; two trees or its number."""
+    """A bounding box, its half perimeter (-1 for a leaf), and two subtrees or the leaf's index."""
 
     box: CellBox
     size: int
@@ -47,7 +47,7 @@ class Tree(NamedTuple):
 
 
 def grow(boxes: Sequence[tuple[CellBox, int]]) -> Tree:
-    """Put numbered boxes in a tree, halving the list along its longer axis. Cost: O(n log^2 n)."""
+    """Build a tree of numbered boxes by halving along the longer axis. Cost: O(n log^2 n)."""
     if len(boxes) == 1:
         return Tree(boxes[0][0], -1, boxes[0][1])
     lefts, rights, lows, highs = zip(*(box for box, _ in boxes), strict=True)
@@ -59,9 +59,9 @@ def grow(boxes: Sequence[tuple[CellBox, int]]) -> Tree:
 
 
 def find_touching(one: Tree, other: Tree, third: Tree) -> Iterator[tuple[int, int, int]]:
-    """Yield the numbers of boxes of three trees, the first of which touches the sum of the others.
+    """Yield the indices of boxes of three trees such that the first touches the sum of the others.
 
-    Cost: O(log n) for each, if boxes are not much longer than their distances.
+    Cost: O(log n) per result, if boxes are not much longer than their distances.
 
     >>> first = grow([((0, 1, 0, 1), 0), ((8, 9, 8, 9), 1)])
     >>> [*find_touching(first, Tree((1, 2, 1, 2), -1, 0), Tree((6, 7, 6, 7), -1, 0))]

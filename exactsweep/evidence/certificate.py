@@ -1,7 +1,7 @@
-"""The claims of certificates, as `check/CERTIFICATES.md` describes them.
+"""The claims of certificates, in the format of `check/CERTIFICATES.md`.
 
-A claim is a question and its answer, still in Fractions; `proof.add_proof` makes a certificate of
-it. Positions are translations of the polygon that moves.
+A claim is a question and its answer, still in Fractions; `proof.add_proof` makes it a certificate.
+Positions are translations of the moving polygon.
 
 >>> from exactsweep import sweep
 >>> square = [(0, 0), (1, 0), (1, 1), (0, 1)]
@@ -61,7 +61,7 @@ def claim_sweep(
 
 
 def claim_sum(shape: Region, path: Iterable[Point], found: Region) -> dict[str, Any]:
-    """Claim the sum of a shape and a path, given as its points; a closed one ends at the first."""
+    """Claim the sum of a shape and a path; a closed path repeats its first point."""
     question = {"shape": _list_rings(shape), "path": list(path)}
     return {**HEADER, "claim": "sum", **question, **_list_rings(found)}
 

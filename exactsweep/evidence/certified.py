@@ -7,7 +7,7 @@ from typing import Any, ClassVar
 
 
 def refuse_to_set(answer: object, name: str, value: object) -> None:
-    """Raise AttributeError: answers are read-only, because they cache their results.
+    """Raise AttributeError, because answers cache their results.
 
     Example:
         >>> from exactsweep import sweep
@@ -20,9 +20,10 @@ def refuse_to_set(answer: object, name: str, value: object) -> None:
 
 
 class Certified:
-    """An answer; equal to another one if both answer the same question about equal polygons.
+    """An answer; answers are equal if they answer the same question about equal polygons.
 
-    Polygons are equal as sets of points; the numbers of features depend on the order of vertices.
+    Polygons are equal if they are the same set of points, even if their features have different
+    numbers.
     """
 
     asked: ClassVar[tuple[str, ...]]
@@ -44,9 +45,9 @@ class Certified:
     def certificate(self) -> dict[str, Any]:
         """Return plain JSON data that proves the answer to `check/standalone.py`.
 
-        `check/CERTIFICATES.md` describes the format. Positions are those of the origin of the
-        polygon that moves. Raises PolygonError for placed or attached shapes and for a
-        NoFitUnion. Cost: see `evidence.proof.add_proof`.
+        `check/CERTIFICATES.md` describes the format. Positions are those of the moving polygon's
+        origin. Raises PolygonError for placed or attached shapes and for a NoFitUnion. Cost: that
+        of `evidence.proof.add_proof`.
 
         Example:
             >>> from exactsweep import no_fit_polygon

@@ -1,11 +1,11 @@
 """Evidence that loops and fits bound the sums: listed sums, and chains that cover their sides.
 
-(1) For each known edge, of a loop or a fit, sums with a side along it are listed, those with sides
-    along the most known edges first.
-(2) Each side of a listed sum is covered from its start on: by known edges, else by the sum that
-    covered the end of the last side, a listed sum, the largest first, or the largest sum of all,
-    which is then listed.
-(3) An interval that nothing covers is a slit. Slits count as known edges.
+(1) For each known edge, of a loop or a fit, sums with a side along it are listed, preferring those
+    with sides along the most known edges.
+(2) Each side of a listed sum is covered from its start to its end: by known edges, by the sum that
+    covered the end of the last side, by the largest listed sum, or by the largest sum of all, which
+    is then listed.
+(3) An uncovered interval is a slit. Slits count as known edges.
 """
 
 from __future__ import annotations
@@ -40,7 +40,7 @@ class Covering(NamedTuple):
     """Sums and chains that prove a boundary.
 
     Attributes:
-        sums: for each listed sum its number, and a chain for each of its sides.
+        sums: for each listed sum, its number and a chain for each of its sides.
         around: a chain for each half-plane.
         slits: the slits.
     """
@@ -55,14 +55,9 @@ def find_evidence(
 ) -> Covering:
     """Find sums whose sides are covered by each other, known edges and slits.
 
-    Args:
-        sums: the sums.
-        known: the edges of loops, the sums on their left, and fits. If they are not the boundary of
-            the sums, the Covering proves nothing.
-        beyond: the boundaries of open half-planes, which count as sums.
-
-    Cost: O(1) clipped segments for each side of a listed sum, and for each known edge O(1) per
-    sum whose box touches it.
+    `known` contains fits, and the edges of loops with the sums on their left; if these are not the
+    boundary of the sums, the Covering proves nothing. `beyond` contains boundaries of open
+    half-planes, which count as sums.
     """
     finder = _Finder(sums, beyond)
     finder.add_known(known)
@@ -75,7 +70,7 @@ def find_evidence(
 
 
 class _Strips:
-    """Boxes of listed sums in strips of the plane, the largest sum first."""
+    """Boxes of listed sums in strips of the plane, largest sums first."""
 
     def __init__(self, box: CellBox, count: int) -> None:
         self._left, self._width = box[0], (box[1] - box[0]) // count + 1
@@ -87,23 +82,19 @@ class _Strips:
             insort(self._sums[strip], (-area, k, box))
 
     def find_near(self, box: CellBox) -> Iterator[int]:
-        """Find the sums whose boxes touch that of a point."""
+        """Find the sums whose boxes touch the box of a point."""
         strip = self._sums[(box[0] - self._left) // self._width]
         return (k for _, k, other in strip if are_touching(box, other))
 
 
 class _Finder:
-    """Search state: the sums listed so far and their chains.
-
-    Attributes:
-        gaps: the gaps of each side that is not covered, by the number of a sum and the side.
-    """
+    """A search for evidence: the sums listed so far, their chains, and the gaps of their sides."""
 
     def __init__(self, sums: Sums, beyond: Sequence[DirectedSegment]) -> None:
         self._sums = sums
         self._beyond = {sums.count + k: [side] for k, side in enumerate(beyond)}
         self._known: list[DirectedSegment] = []
-        # By the number of a sum, the known edges that touch its box.
+        # Known edges that touch the box of a sum, by its number.
         self._edges: dict[int, list[int]] = defaultdict(list)
         self._listed: list[int] = []
         self._chains: dict[int, list[list[int]]] = {k: [] for k in self._beyond}
@@ -115,7 +106,7 @@ class _Finder:
         return self._sums.sides(k) if k < self._sums.count else self._beyond[k]
 
     def add_known(self, edges: Sequence[DirectedSegment]) -> None:
-        """Add known edges and list sums along them; right of a loop there are none."""
+        """Add known edges, and list the sums along them, which are left of loops."""
         if not self._known:
             self._strips = _Strips(self._sums.box, _STRIPS * isqrt(len(edges)) + 1)
         bound, first = self._sums.grid.bound, len(self._known)
@@ -137,7 +128,7 @@ class _Finder:
             self._list_along(found, gain)
 
     def _find_along(self, n: int, near: Sequence[int]) -> list[list[tuple[int, Interval]]]:
-        """Find the sums with a side along a known edge, right and left of it, with intervals."""
+        """Find the sums with sides along a known edge, right and left of it, with intervals."""
         edge = self._known[n]
         if edge.start == edge.end:
             return [[(k, _WHOLE) for k in near if is_on_border(self._sides(k), edge.start)]]
@@ -152,7 +143,7 @@ class _Finder:
         return found
 
     def _list_along(self, found: Sequence[tuple[int, Interval]], gain: Counter[int]) -> None:
-        """List sums that cover an edge, first those along the most known edges."""
+        """List sums that cover an edge, preferring those along the most known edges."""
 
         def rank(k: int) -> tuple[bool, int, int]:
             is_listed = k in self._chains
@@ -175,7 +166,7 @@ class _Finder:
             self._strips.add(k, self._sums.measure(k), self._sums.grid.bound(corners))
 
     def cover(self) -> None:
-        """Find a chain for each side of listed sums, which may list more."""
+        """Find a chain for each side of listed sums, and list more sums if necessary."""
         for numbers in (list(self._beyond), self._listed):
             for k in numbers:
                 if not self._chains[k]:
@@ -198,7 +189,7 @@ class _Finder:
         return [n for n in self._edges[k] if not any(is_right(side, known[n]) for side in sides)]
 
     def _cover(self, side: DirectedSegment, edges: Sequence[int], at: tuple[int, int]) -> list[int]:
-        """Cover a side: entries -1 - n for known edges, and numbers of sums."""
+        """Cover a side by known edges, written as -1 - n, and numbers of sums."""
         start, end = side.start, side.end
         ahead = [(span, -1 - n) for n in edges if (span := intersect(side, self._known[n]))]
         ahead.sort(reverse=True)
@@ -218,7 +209,7 @@ class _Finder:
                 gaps.append((find_between(start, end, reach), find_between(start, end, until)))
                 reach, closed = until, True
                 continue
-            # This entry may cover the intervals of the last ones, too.
+            # This entry may make the previous ones redundant.
             while found and _continues(low, n, *found[-1][1:]):
                 _, reach, closed = found.pop()
             found.append((n, reach, closed))
@@ -230,7 +221,7 @@ class _Finder:
     def _find_next(
         self, side: DirectedSegment, reach: Fraction, closed: bool
     ) -> tuple[Interval, int] | None:
-        """Find a sum that covers a side from a parameter on, by (2), and list it."""
+        """Find a sum that covers a side from a parameter onward, by (2), and list it."""
         box = self._sums.grid.bound([find_between(side.start, side.end, reach)])
         for k in self._find_around(box):
             span = clip(self._sides(k), side.start, side.end)
@@ -272,10 +263,10 @@ class _Finder:
 
 
 def _shorten(entries: list[int]) -> list[int] | int:
-    """Write a chain of one entry as that entry."""
+    """Replace a chain of one entry by that entry."""
     return entries[0] if len(entries) == 1 else entries
 
 
 def _continues(low: Fraction, n: int, reach: Fraction, closed: bool) -> bool:
-    """Return whether an entry of a chain that begins at low continues the covered range."""
+    """Decide whether a chain entry that begins at `low` continues the covered range."""
     return low < reach or (low == reach and (closed or n < 0))

@@ -1,9 +1,9 @@
 """Contact events: which features of G and D touch (Table 1, Lemma A.1).
 
-An edge of the trajectory is a piece of a segment of translations at which two features touch: EV
-(edge e of G on vertex v of D): v - e; VE (vertex w of G on edge d of D): d - w; EE (parallel
-edges): d - e. The trajectory is free of overlap, so two features are in contact along the edge if
-their segment shares a piece with it, however the trajectory was computed.
+Two features touch at a segment of translations: v - e for EV (edge e of G on vertex v of D); d - w
+for VE (vertex w of G on edge d of D); d - e for EE (parallel edges). The trajectory is free of
+overlap, so two features are in contact along one of its edges if their segment shares a piece with
+it, however the trajectory was computed.
 """
 
 from __future__ import annotations
@@ -39,9 +39,9 @@ class Contact(NamedTuple):
 
 
 def number_as_given(shape: AnyPolygon, outline: Outline, k: int, *, of_edge: bool) -> int:
-    """Return the index in the caller's input of feature k, an edge or a vertex, of an outline."""
+    """Return the index of edge or vertex k of an outline in the input."""
     if k >= len(shape.exterior):
-        # Vertex 0 of a hole is the same in both orientations; its edge k ends where the input edge
+        # The outline reverses a hole, but keeps its vertex 0; edge k ends where the input edge
         # starts.
         ring = bisect_right(outline.starts, k)
         first, size = outline.starts[ring - 1], len(shape.holes[ring - 2])
@@ -59,8 +59,8 @@ def find_edge_contacts(
 ) -> list[list[Contact]]:
     """Find all contacts along each edge of a trajectory or another loop of free translations.
 
-    Returns, for each edge, the sorted contacts that last along a piece of positive length, without
-    EV and VE contacts that are part of an EE contact. Cost: O(t + m n) for t edges.
+    The contacts of an edge are sorted, last along a piece of positive length, and omit EV and VE
+    contacts that are part of an EE contact. Cost: O(t + m n) for t edges.
     """
     lines: defaultdict[tuple[Vector, Rational], list[tuple[int, Segment]]] = defaultdict(list)
     for k, piece in enumerate(map(make_segment, edges)):
@@ -75,7 +75,7 @@ def find_edge_contacts(
 
 
 def _list_parallel(g: Outline, d: Outline, directions: set[Vector]) -> Iterator[Contact]:
-    """Yield the pairs of a vertex and an edge in some directions, and of parallel edges."""
+    """Yield the pairs of a vertex and an edge in the given directions, and of parallel edges."""
     ours, theirs = (
         [(k, own.direction) for k, own in enumerate(shape.pieces) if own.direction in directions]
         for shape in (g, d)
@@ -86,7 +86,7 @@ def _list_parallel(g: Outline, d: Outline, directions: set[Vector]) -> Iterator[
 
 
 def find_translations(contact: Contact, generatrix: Outline, directrix: Outline) -> Segment:
-    """Return the translations at which an EV, VE or EE contact lasts. Cost: O(1)."""
+    """Return the translations at which an EV, VE or EE contact exists."""
     event, i, j = contact
     mine, other = generatrix.pieces[i], directrix.pieces[j]
     if event[0] == "V":
@@ -112,7 +112,7 @@ def find_contacts(generatrix: Outline, directrix: Outline, t: Vertex) -> list[Co
     VV are equal vertices; EV and VE have a vertex inside an edge; EE are edges that overlap in
     positive length. Cost: O((m + n) log(m + n)) if few edges are near each vertex, O(m n) at worst.
     """
-    # On a lattice with the translation all numbers are ints, which is ten times as fast.
+    # On a lattice that contains the translation, all numbers are ints, which is ten times as fast.
     scale = lcm(t[0].denominator, t[1].denominator)
     tx, ty = int(scale * t[0]), int(scale * t[1])
     found: set[Contact] = set()
@@ -122,8 +122,8 @@ def find_contacts(generatrix: Outline, directrix: Outline, t: Vertex) -> list[Co
     for j, (x, y) in enumerate(directrix.vertices):
         for kind, i in generatrix.find_at((x * scale - tx, y * scale - ty), scale):
             found.add(Contact("VV" if kind == "V" else "EV", i, j))
-    # The intersection of two edges has an end towards the start of G's edge. It is that start or an
-    # end of D's edge, so one of the contacts above.
+    # The end of an overlap toward the start of G's edge is that start or an end of D's edge, and so
+    # one of the contacts above.
     for event, i, j in list(found):
         u = generatrix.pieces[i].direction
         for k in [j] if event == "VE" else [j, directrix.before[j]]:

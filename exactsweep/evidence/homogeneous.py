@@ -1,7 +1,7 @@
 """Points and segments in homogeneous coordinates, without a common denominator.
 
-The point (x, y, w) is (x/w, y/w), w > 0. The line (a, b, c) has the points with a x + b y + c w > 0
-on its left. Parameters along a segment run from 0 to 1.
+The point (x, y, w) is (x/w, y/w), w > 0. It lies left of the line (a, b, c) if a x + b y + c w > 0.
+Parameters along a segment run from 0 to 1.
 """
 
 from __future__ import annotations
@@ -80,19 +80,19 @@ def find_between(p: Node, q: Node, parameter: Fraction) -> Node:
 
 
 def is_right(side: DirectedSegment, other: DirectedSegment) -> bool:
-    """Return whether all of a segment is right of the line of another one."""
+    """Decide whether a segment lies entirely right of the line of another one."""
     (a, b, c), (x, y, w), (u, v, z) = side.line, other.start, other.end
     return a * x + b * y + c * w < 0 and a * u + b * v + c * z < 0
 
 
 def is_along(side: DirectedSegment, other: DirectedSegment) -> bool:
-    """Return whether two segments lie on one line."""
+    """Decide whether two segments are collinear."""
     (dx, dy), (ex, ey), (a, b, c) = side.direction, other.direction, side.line
     return dx * ey == dy * ex and a * other.start[0] + b * other.start[1] + c * other.start[2] == 0
 
 
 def is_on_border(sides: Iterable[DirectedSegment], p: Node) -> bool:
-    """Return whether a point is on the boundary of a convex polygon."""
+    """Decide whether a point is on the boundary of a convex polygon."""
     x, y, w = p
     return min(a * x + b * y + c * w for *_, (a, b, c) in sides) == 0
 
@@ -100,7 +100,7 @@ def is_on_border(sides: Iterable[DirectedSegment], p: Node) -> bool:
 def clip(sides: Iterable[DirectedSegment], a: Node, b: Node) -> Interval | None:
     """Find the open interval of a segment inside an open convex polygon, or None.
 
-    An end beyond the segment is -1 or 2.
+    An interval that contains an end of the segment extends to -1 or 2.
 
     >>> square = list_sides([(0, 0, 1), (2, 0, 1), (2, 2, 1), (0, 2, 1)])
     >>> clip(square, (1, 1, 1), (5, 1, 1))
@@ -123,9 +123,9 @@ def clip(sides: Iterable[DirectedSegment], a: Node, b: Node) -> Interval | None:
 
 
 def intersect(side: DirectedSegment, other: DirectedSegment) -> Interval | None:
-    """Find the closed interval of a segment on another segment or a point, or None.
+    """Find the closed interval of a segment that another segment or a point covers, or None.
 
-    Its ends may be beyond those of the segment.
+    It may extend beyond the segment.
 
     >>> side = make_side((0, 0, 1), (4, 0, 1))
     >>> intersect(side, make_side((6, 0, 1), (3, 0, 1)))

@@ -24,7 +24,7 @@ from exactsweep.procedures.positions import find_sum, path_rings
 
 
 class MinkowskiSum(Region):
-    """A Minkowski sum: a Region with a certificate. Its images are Regions without.
+    """A Minkowski sum, a Region with a certificate; its images are plain Regions.
 
     Attributes:
         summands: two shapes, or a Region and a Polyline.
@@ -44,13 +44,9 @@ class MinkowskiSum(Region):
     def certificate(self) -> dict[str, Any]:
         """Return plain JSON data that proves the sum to `check/standalone.py`.
 
-        That of two shapes is the certificate of the no-fit polygon of a and -b, which has the same
-        boundary.
-
-        Raises:
-            PolygonError: the path is a single point; the sum is the translated shape.
-
-        Cost: see `evidence.proof.add_proof`.
+        The certificate of the sum of two shapes is that of the no-fit polygon of a and -b, which
+        has the same boundary. Raises PolygonError if the path is a single point. Cost: that of
+        `evidence.proof.add_proof`.
 
         Example:
             >>> swept = minkowski_sum([(0, 0), (1, 0), (0, 1)], Polyline([(0, 0), (2, 2)]))
@@ -81,17 +77,16 @@ def minkowski_sum(a: Region | Vertices | Polyline, b: Region | Vertices | Polyli
 
     Args:
         a: a Polygon, a Region or the vertices of a polygon; or a Polyline.
-        b: likewise; at most one of the two is a Polyline.
+        b: the other summand, in any of these forms; at most one of the two is a Polyline.
 
     Returns:
-        The sum, a Region with a certificate; a hole encloses points that are no sums.
+        The sum, a Region with a certificate; points in its holes are not sums.
 
     Raises:
-        PolygonError: a polygon is not simple; the message begins with "a" or "b"; or both are
-            paths.
-        NumberError: a coordinate is not an exact number; likewise.
+        PolygonError: a polygon is not simple, or both are paths.
+        NumberError: a coordinate is not an exact number. Messages begin with "a" or "b".
 
-    Cost: that of `no_fit_polygon`; O(m n log(m n) + c) for a shape and a path, c crossings of
+    Cost: that of `no_fit_polygon`; for a shape and a path, O(m n log(m n) + c) for c crossings of
     contact segments.
 
     Source: section 3 for two convex polygons; Behar and Lien 2011 for the others.
@@ -119,10 +114,7 @@ def minkowski_sum(a: Region | Vertices | Polyline, b: Region | Vertices | Polyli
 
 
 def solve_pair(stationary: AnyPolygon, orbiting: AnyPolygon) -> Solution:
-    """Return the Solution of a pair in its class, with positions of the origin.
-
-    Cost: that of `find_shared_direction`; the Solution computes its results on first access.
-    """
+    """Return the Solution of a pair in its class, with positions of the origin."""
     direction: Vector | None = None
     if not (stationary.holes or orbiting.holes):
         direction = find_shared_direction(orbiting.exterior, stationary.exterior)

@@ -50,7 +50,7 @@ class NoFitAnswer(Certified):
 
     @cached_property
     def holes(self) -> tuple[Polygon, ...]:
-        """The loops around free positions inside, in a cave or a hole, sorted."""
+        """The loops around free positions in caves and holes, sorted."""
         return tuple(place_loop(hole, self.reference) for hole in self.solution.holes)
 
     @cached_property
@@ -58,7 +58,7 @@ class NoFitAnswer(Certified):
         """Free positions without room to either side: segments and points, sorted.
 
         If only one end of a segment lies on a loop, it comes first. A single position is a segment
-        with two equal ends.
+        with equal ends.
         """
         return place_fits(self.solution.fits, self.reference)
 
@@ -85,7 +85,7 @@ class NoFitAnswer(Certified):
 
     @property
     def __geo_interface__(self) -> GeoJson:
-        """A GeoJSON Polygon with holes; with exact fits, a GeometryCollection of it and lines."""
+        """A GeoJSON Polygon, or a GeometryCollection of it and the exact fits if there are any."""
         area = [loop.vertices for loop in (self.exterior, *self.holes)]
         return collect([area], self.exact_fits) if self.exact_fits else make_polygon(area)
 
@@ -115,7 +115,7 @@ class RegionAnswer(Certified):
     @cached_property
     @abstractmethod
     def solution(self) -> FreeRegions:
-        """The positions of the origin of the shapes that move."""
+        """The positions of the moving shapes' origin."""
 
     @cached_property
     def regions(self) -> tuple[Region, ...]:
@@ -131,7 +131,7 @@ class RegionAnswer(Certified):
 
     @cached_property
     def exact_fits(self) -> tuple[Fit, ...]:
-        """Positions without room in some direction, as for `NoFitPolygon`."""
+        """The positions without room to either side, in the form of `NoFitPolygon.exact_fits`."""
         return place_fits(self.solution.fits, self.reference)
 
     def _locate(self, position: Iterable[object]) -> Literal["inside", "boundary", "outside"]:
@@ -143,7 +143,7 @@ class RegionAnswer(Certified):
 
     @property
     def __geo_interface__(self) -> GeoJson:
-        """A GeoJSON MultiPolygon; with exact fits, a GeometryCollection of polygons and lines."""
+        """A GeoJSON MultiPolygon, or a GeometryCollection if there are exact fits."""
         return collect([region.rings for region in self.regions], self.exact_fits)
 
     @property

@@ -1,4 +1,4 @@
-"""The overlap of two shapes where they are: verdict, area, witness, and the least move apart."""
+"""The overlap of two shapes in place: verdict, area, witness, and the shortest separating move."""
 
 from __future__ import annotations
 
@@ -58,7 +58,7 @@ class Overlap:
 
     @cached_property
     def verdict(self) -> str:
-        """Decide: "OVERLAP" if the interiors meet, "CONTACT" if the boundaries do, or "FREE"."""
+        """Whether the interiors meet, "OVERLAP", or only the boundaries, "CONTACT"; else "FREE"."""
         first, second = self._lattice[1]
         relation: str = relate(EdgeIndex(first), EdgeIndex(second)).value
         return relation
@@ -75,7 +75,7 @@ class Overlap:
 
     @cached_property
     def witness(self) -> Point | None:
-        """A point inside both shapes; of shapes in contact, a common point; None if free."""
+        """A point inside both shapes, or a common point of shapes in contact, or None."""
         if self.verdict == "FREE":
             return None
         if self.verdict == "CONTACT":
@@ -101,10 +101,10 @@ class Overlap:
 
     @cached_property
     def move(self) -> Point:
-        """The least translation of b after which the shapes do not overlap.
+        """The shortest translation of b after which the shapes do not overlap.
 
-        It may lead into a hole or a cave of the other shape, or to an exact fit. If several are
-        least, it is the lexicographically least of them.
+        It may lead into a hole or a cave of the other shape, or to an exact fit. Among equally
+        short ones, it is the lexicographically least.
         """
         if self.verdict != "OVERLAP":
             return ORIGIN
@@ -122,7 +122,7 @@ class Overlap:
 
     @property
     def depth_squared(self) -> Fraction:
-        """The squared length of the least move, 0 if the shapes do not overlap."""
+        """The squared length of the shortest move, 0 if the shapes do not overlap."""
         x, y = self.move
         return x * x + y * y
 
@@ -132,22 +132,22 @@ class Overlap:
 
 @tells_arguments
 def overlap(a: Region | Vertices, b: Region | Vertices) -> Overlap:
-    """Decide whether two shapes overlap where they are, by how much, and how far b has to move.
+    """Relate two shapes in place: whether and how far they overlap, and how far apart they are.
 
     Args:
-        a: a Polygon, a Region, the vertices of a polygon, or a shapely polygon, with holes, too.
-        b: likewise.
+        a: a Polygon, a Region, the vertices of a polygon, or a shapely polygon, even with holes.
+        b: the other shape, in any of these forms.
 
     Returns:
         An Overlap with `verdict`, `area`, `witness`, `distance_squared`, `move` and
         `depth_squared`.
 
     Raises:
-        PolygonError: a shape is not valid; the message begins with "a" or "b".
-        NumberError: a coordinate is not an exact number; likewise.
+        PolygonError: a shape is not valid.
+        NumberError: a coordinate is not an exact number. Messages begin with "a" or "b".
 
     Cost: O((m + n) log(m + n)) for the verdict, if few edges are near each other; that of
-    `no_fit_polygon` for the least move.
+    `no_fit_polygon` for the shortest move.
 
     Example:
         >>> o = overlap([(0, 0), (4, 0), (4, 4), (0, 4)], [(2, 2), (6, 2), (6, 6), (2, 6)])

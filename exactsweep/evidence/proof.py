@@ -1,6 +1,6 @@
-"""Proofs of claims, as `check/CERTIFICATES.md` describes them: convex pieces, sums and chains.
+"""Proofs of claims, in the format of `check/CERTIFICATES.md`: convex pieces, sums and chains.
 
-Nothing here is trusted. If a claim is wrong, the checker rejects what is found.
+The checker does not trust this module: it rejects any proof of a wrong claim.
 """
 
 from __future__ import annotations
@@ -20,28 +20,22 @@ from exactsweep.numbers.digits import to_plain
 from exactsweep.numbers.number import Point, to_fraction
 
 _EDGES = 5
-"""The number of edges of a slice of a convex polygon on either side."""
+"""Number of edges on either side of a slice of a convex polygon."""
 
 _PointList = Iterable[Iterable[object]]
 
 
 def add_proof(claim: dict[str, Any]) -> dict[str, Any]:
-    """Return the certificate of a claim; the checker rejects that of a wrong claim.
+    """Return the certificate of a claim; if it is a certificate, its proof is replaced.
 
-    Args:
-        claim: a claim made by `evidence.certificate`, or a certificate, whose proof is then
-            replaced.
-
-    Raises:
-        NumberError: a coordinate is not an exact number.
-
-    Cost: that of `cut_to_convex` for both shapes, and that of `find_evidence`.
+    Cost: that of `cut_to_convex` for both shapes. Then O(1) clipped segments for each side of a
+    listed sum, and O(1) for each known edge and each sum whose box touches it.
     """
     return to_plain({**claim, "proof": _PROVERS[claim["claim"]](claim)})
 
 
 class _ShapeLattice:
-    """The lattice of shapes, `scale` units in 1, and their rings, the interior on the left."""
+    """The lattice of shapes, with `scale` units in 1, and their rings, interior on the left."""
 
     def __init__(self, *shapes: dict[str, Any]) -> None:
         listed = [
@@ -60,24 +54,24 @@ class _ShapeLattice:
         return found if (find_doubled_area(found) > 0) != is_hole else found[::-1]
 
     def enter(self, points: _PointList) -> list[Node]:
-        """Enter points of an answer, which may be between those of the lattice."""
+        """Convert points of an answer, which may be off the lattice."""
         return [make_node(x * self.scale, y * self.scale) for x, y in _read(points)]
 
     def enter_loop(self, points: _PointList) -> list[DirectedSegment]:
-        """Enter a loop as it is listed; a wrong claim may repeat vertices."""
+        """Convert a loop in the given order; a wrong claim may repeat vertices."""
         nodes = self.enter(points)
         return list_sides([p for k, p in enumerate(nodes) if p != nodes[k - 1]])
 
     def enter_reversed(self, points: _PointList) -> list[DirectedSegment]:
-        """Enter a loop from its last point back to the first."""
+        """Convert a loop in reverse order."""
         return self.enter_loop([*points][::-1])
 
     def enter_fits(self, fits: Iterable[_PointList]) -> list[DirectedSegment]:
-        """Enter exact fits."""
+        """Convert exact fits."""
         return [make_side(*self.enter(fit)) for fit in fits]
 
     def leave(self, lists: Iterable[Iterable[Node]]) -> list[list[Point]]:
-        """Return points in the plane."""
+        """Convert points back to the plane."""
         unit = self.scale
         return [
             [Point(Fraction(x, w * unit), Fraction(y, w * unit)) for x, y, w in points]
@@ -123,7 +117,7 @@ def _prove_inner_fit(claim: dict[str, Any]) -> dict[str, Any]:
     lattice = _ShapeLattice(claim["container"], claim["part"])
     (exterior, *defects), part = lattice.shapes
     ends, frame, positions = _surround(exterior, part[0], lattice.scale)
-    # Each hole of the container is cut by itself.
+    # The frame and each hole of the container are cut separately.
     cut = map(_cut, ([frame, exterior[::-1]], *([defect[::-1]] for defect in defects)))
     outside, moving = [*chain.from_iterable(cut)], _cut(part)
     loops = []
@@ -155,9 +149,8 @@ def _surround(
 ) -> tuple[list[Fraction], IntRing, list[Node]]:
     """Put a frame around a container, with room for a part on each side.
 
-    Returns:
-        The ends of the frame, whole numbers; its ring on the lattice; the corners of the rectangle
-        of positions at which the part is inside it.
+    Returns the integer ends of the frame; its ring on the lattice; and the corners of the rectangle
+    of positions at which the part is inside the frame.
     """
     lows, highs, ends = [], [], []
     for k in (0, 1):
@@ -175,7 +168,7 @@ def _surround(
 
 
 def _turn(ring: Iterable[Node]) -> list[Node]:
-    """Turn a ring by a half turn about the origin."""
+    """Apply a half turn to a ring."""
     return [(-x, -y, w) for x, y, w in ring]
 
 
@@ -186,7 +179,7 @@ def _cut(rings: Sequence[IntRing]) -> list[list[Node]]:
 
 
 def _slice(ring: IntRing) -> Iterator[IntRing]:
-    """Cut a convex polygon across into slices of few edges, whose sums have few edges."""
+    """Slice a convex polygon into pieces of few edges, whose sums have few edges."""
     last = (len(ring) - 1) // 2
     for k in range(0, last, _EDGES):
         end = min(k + _EDGES, last)

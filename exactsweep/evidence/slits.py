@@ -1,7 +1,7 @@
-"""Slits: positions between sums that none of them contains.
+"""Slits: positions of zero area between sums, which do not belong to the answer.
 
 A swept area has a slit where an edge of the trajectory is parallel to a cut between two pieces of
-the generatrix. It does not belong to the answer.
+the generatrix.
 """
 
 from __future__ import annotations
@@ -17,10 +17,10 @@ _PlanePoint = tuple[Fraction, Fraction]
 
 
 def unite(gaps: Iterable[Gap], known: Sequence[DirectedSegment]) -> list[DirectedSegment]:
-    """Join gaps on a line; drop points on others or on known edges.
+    """Join collinear gaps; drop points on other gaps or on known edges.
 
-    Gaps are segments or points that share at most ends with known edges; any two slits
-    have at most a point in common. Cost: O(n log n), and O(1) for each point and each edge.
+    Gaps are segments or points that share at most ends with known edges; any two slits have at
+    most one common point. Cost: O(n log n), plus O(1) for each point and each edge.
 
     >>> a, b, c = (0, 0, 1), (1, 0, 1), (2, 0, 1)
     >>> [(slit.start, slit.end) for slit in unite([(b, c), (b, b), (b, a)], [])]
@@ -52,7 +52,7 @@ def unite(gaps: Iterable[Gap], known: Sequence[DirectedSegment]) -> list[Directe
 
 
 def _is_on(p: Node, edge: DirectedSegment) -> bool:
-    """Return whether a point is on a segment."""
+    """Decide whether a point is on a segment."""
     (a, b, c), (x, y, w) = edge.line, p
     if a * x + b * y + c * w:
         return False

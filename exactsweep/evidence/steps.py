@@ -1,17 +1,17 @@
 """The sweep step by step: the contacts of each step, and the reason for its end.
 
 A step is an edge of the trajectory. G travels counter-clockwise, with D on the left. At the end of
-a step G turns left or right:
+a step, G turns left or right:
 
-- left, at a corner: a vertex of G is on a vertex of D. Straight on, G would lose contact. G turns
-  onto the next edge of D or of G by slope, as in Lemma 3.1.
-- right, at a stop: straight on, G would overlap D at one or several new contacts.
-- right, without a stop: straight on leads into an exact fit.
+- left, at a corner: a vertex of G is on a vertex of D. Straight ahead, G would lose contact. G
+  turns onto the next edge of D or of G by slope, as in Lemma 3.1.
+- right, at a stop: straight ahead, G would overlap D at one or more new contacts.
+- right, without a stop: the way straight ahead leads into an exact fit.
 
-A contact stops G if every move of G through it, however short, overlaps. Near a contact both
-polygons are cones; at the inside of an edge the cone is a half-plane. After a short step G overlaps
-D there if and only if the step lies in the sum of D's open cone and the reflection of G's. A step
-along an edge in contact is on the boundary of that sum, so it is allowed.
+A contact stops G if every move in that direction, however short, causes overlap there. Near a
+contact, both polygons are cones; inside an edge, the cone is a half-plane. After a short step, G
+overlaps D there if and only if the step lies in the sum of D's open cone and the reflection of G's.
+A step along an edge in contact is on the boundary of that sum, so it is allowed.
 """
 
 from __future__ import annotations
@@ -37,7 +37,7 @@ Ending = Literal["corner", "stop", "exact fit"]
 
 
 class Touch(NamedTuple):
-    """A contact, and the piece of the step along which it lasts, in the order of travel."""
+    """A contact, and the piece of the step along which it lasts, in the direction of travel."""
 
     contact: Contact
     start: Point
@@ -48,11 +48,11 @@ class Landmark(NamedTuple):
     """An undercut or an exact fit that G passes.
 
     Attributes:
-        mark: "undercut" if G closes all of an undercut in this position; "undercut opens" and
+        mark: "undercut" if G closes an entire undercut in this position; "undercut opens" and
             "undercut closes" at the first and the last of several positions; "exact fit" at the end
             of an exact fit.
         number: index in `Sweep.undercuts` or `Sweep.exact_fits`.
-        position: a Point on the step, its start excluded.
+        position: a Point on the step other than its start.
     """
 
     mark: Mark
@@ -65,13 +65,13 @@ class Step(NamedTuple):
 
     Attributes:
         start: the first position of the reference point, a Point.
-        end: the last position, likewise.
+        end: the last position, a Point.
         direction: the primitive integer vector from start to end.
         half: "lower" for the sweep (G_t, D_b), "upper" for (G_b, D_t), and "right" or "left" for a
             vertical edge between the two, if the shared direction points to the right.
-        touches: tuple of Touch, by their start.
+        touches: tuple of Touch, sorted by their start.
         landmarks: tuple of Landmark in the order of travel.
-        ending: "corner", "stop" or "exact fit": the reason for the end of the step.
+        ending: "corner", "stop" or "exact fit": the reason why the step ends.
         reasons: tuple of Contact, features as in the input: at a corner the vertices that meet, at
             a stop the contacts that stop G; empty before an exact fit.
     """
@@ -87,10 +87,10 @@ class Step(NamedTuple):
 
 
 def explain(s: SweepAnswer) -> tuple[Step, ...]:
-    """Explain a sweep step by step, once around from the first vertex of the trajectory.
+    """Explain a sweep step by step, starting at the first vertex of the trajectory.
 
-    Step k belongs to item k of `s.contacts`. Cost: O(m n + t) look-ups for t edges of the
-    trajectory, plus O((m + n) log(m + n)) for each of its right turns.
+    Step k corresponds to `s.contacts[k]`. Cost: O(m n + t) look-ups for t edges of the trajectory,
+    plus O((m + n) log(m + n)) for each of its right turns.
 
     Example:
         >>> from exactsweep import sweep
@@ -201,9 +201,9 @@ class _Guide:
         return None
 
     def _place(self, position: Point) -> tuple[int, Rational]:
-        """Find the place of a position on the trajectory, from its first vertex in the frame.
+        """Find a position on the trajectory, counted from its first vertex in the frame.
 
-        The walk starts at that vertex because no undercut of either sweep extends across it.
+        No undercut of either sweep extends across that vertex.
         """
         k = self._edge_to(position)
         assert k is not None
@@ -225,7 +225,7 @@ class _Guide:
 
 
 def _progress(edge: Edge, point: Vertex) -> Rational:
-    """Return a coordinate along an edge that grows in its direction."""
+    """Return a coordinate along an edge that increases in its direction."""
     (x, y), (u, v) = minus(point, edge[0]), minus(edge[1], edge[0])
     return x * u + y * v
 
@@ -236,9 +236,9 @@ def _direction(start: Point, end: Point) -> Vector:
 
 
 def blocks(contact: Contact, step: Vertex, generatrix: Outline, directrix: Outline) -> bool:
-    """Decide whether G overlaps D at a contact after any sufficiently short move.
+    """Decide whether every short move in the direction `step` causes overlap at a contact.
 
-    In the present position G touches D without overlap; the step is the direction of the move.
+    Before the move, G touches D without overlap.
 
     Example:
         >>> square = Outline([[(0, 0), (1, 0), (1, 1), (0, 1)]])
@@ -256,8 +256,8 @@ def blocks(contact: Contact, step: Vertex, generatrix: Outline, directrix: Outli
     g_back, g_forward = _rays(generatrix, i)
     d_back, d_forward = _rays(directrix, j)
     back = minus((0, 0), step)
-    # In a reflex corner the free cone is convex, and the other polygon can only move within it;
-    # unless that polygon is elsewhere, and touches another ring at this point.
+    # In a reflex corner, the free cone is convex, and the other polygon can only move within it,
+    # unless it is elsewhere and touches another ring at this point.
     if cross(d_forward, d_back) < 0:
         return _is_held((d_back, d_forward), (g_back, g_forward), step)
     if cross(g_forward, g_back) < 0:
@@ -273,7 +273,7 @@ def blocks(contact: Contact, step: Vertex, generatrix: Outline, directrix: Outli
 
 
 def _is_held(free: tuple[Vertex, Vertex], rays: Sequence[Vertex], step: Vertex) -> bool:
-    """Decide whether a step leads out of a convex free cone that contains some rays."""
+    """Decide whether a step leads out of a convex free cone that contains the given rays."""
     first, last = free
 
     def is_out(ray: Vertex) -> bool:

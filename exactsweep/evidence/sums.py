@@ -1,4 +1,4 @@
-"""Open Minkowski sums of convex pieces of two shapes, as `check/CERTIFICATES.md` numbers them."""
+"""Open Minkowski sums of convex pieces of two shapes, numbered as in `check/CERTIFICATES.md`."""
 
 from __future__ import annotations
 
@@ -13,8 +13,8 @@ from exactsweep.evidence.homogeneous import DirectedSegment, Node, direct_side, 
 class Sums:
     """The open sums of convex pieces of two shapes.
 
-    Sum i n + j is that of piece i of the first shape, a convex counter-clockwise ring or a segment,
-    and piece j of the second one, a ring of points with w = 1; the second shape has n pieces.
+    Sum i n + j adds piece i of the first shape, a convex counter-clockwise ring or a segment, and
+    piece j of the n pieces of the second shape, a ring of points with w = 1.
     """
 
     def __init__(self, first: Sequence[Sequence[Node]], second: Sequence[Sequence[Node]]) -> None:
@@ -32,7 +32,7 @@ class Sums:
         self._areas: dict[int, int] = {}
 
     def sides(self, k: int) -> list[DirectedSegment]:
-        """Return the edges of a sum, counter-clockwise from its lowest vertex, the left of two."""
+        """Return the edges of a sum, counter-clockwise from its leftmost lowest vertex."""
         found = self._sides.get(k)
         if found is None:
             i, j = divmod(k, self._columns)
@@ -40,14 +40,14 @@ class Sums:
         return found
 
     def find_parallel(self, near: Iterable[int], side: DirectedSegment) -> list[int]:
-        """Return the sums among some numbers that have a side parallel to a segment."""
+        """Return those of the numbered sums that have a side parallel to a segment."""
         direction, columns = _undirected(side), self._columns
         rows, others = (of.get(direction, set()) for of in self._parallel)
         numbers = (k for k in near if k < self.count)
         return [k for k in numbers if k % columns in others or k // columns in rows]
 
     def measure(self, k: int) -> int:
-        """Return twice the area of a sum, its corners rounded to the grid."""
+        """Return twice the area of a sum with corners rounded to the grid."""
         area = self._areas.get(k)
         if area is None:
             cells = [self.grid.find_cell(side.start) for side in self.sides(k)]
@@ -56,7 +56,7 @@ class Sums:
         return area
 
     def find_near(self, boxes: Sequence[tuple[CellBox, int]]) -> Iterator[tuple[int, int]]:
-        """Find the sums whose boxes touch numbered boxes; yield the number of each and the sum."""
+        """Yield pairs of the number of a box and the number of a sum whose box touches it."""
         if boxes:
             for n, i, j in find_touching(grow(boxes), *self._trees):
                 yield n, i * self._columns + j
@@ -68,7 +68,7 @@ def _undirected(side: DirectedSegment) -> tuple[int, int]:
 
 
 def _by_direction(pieces: list[list[DirectedSegment]]) -> dict[tuple[int, int], set[int]]:
-    """Return the numbers of the pieces by the directions of their sides."""
+    """Group the numbers of pieces by the directions of their sides."""
     found: dict[tuple[int, int], set[int]] = defaultdict(set)
     for k, sides in enumerate(pieces):
         for side in sides:
@@ -77,7 +77,7 @@ def _by_direction(pieces: list[list[DirectedSegment]]) -> dict[tuple[int, int], 
 
 
 def _from_lowest(ring: Sequence[Node]) -> list[DirectedSegment]:
-    """Return the edges of a piece from its lowest vertex on, the left of two."""
+    """Return the edges of a piece, starting at its leftmost lowest vertex."""
     k = min(range(len(ring)), key=lambda k: place(ring[k])[::-1])
     return list_sides([*ring[k:], *ring[:k]])
 

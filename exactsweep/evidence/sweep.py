@@ -34,11 +34,11 @@ from exactsweep.procedures.monotone import MonotoneSolution
 from exactsweep.words import write_vector
 
 Solution = MonotoneSolution | ShapeSolution
-"""The loops and exact fits of a pair, each computed when it is first read."""
+"""The loops and exact fits of a pair, each computed on first access."""
 
 
 def solve(generatrix: AnyPolygon, directrix: AnyPolygon, direction: Vector | None) -> Solution:
-    """Choose the Solution that computes a pair; no direction means any shape."""
+    """Choose the Solution of a pair; without a direction, it accepts any shape."""
     if direction is None:
         return ShapeSolution(Region(generatrix), Region(directrix))
     return MonotoneSolution(generatrix.exterior, directrix.exterior, direction)
@@ -97,7 +97,7 @@ class SweepAnswer(Certified):
 
     @cached_property
     def inner(self) -> Polygon:
-        """The inner loop of the swept area: D with its undercuts closed, and its holes."""
+        """The inner loop of the swept area: D with its undercuts and holes closed."""
         return place_loop(self.solution.inner)
 
     @cached_property
@@ -132,7 +132,7 @@ class SweepAnswer(Certified):
 
     @cached_property
     def area(self) -> Fraction:
-        """The swept area: that of the outer loop minus those of the inner loop and `unswept`."""
+        """The swept area: that of the outer loop minus those of the inner loop and of `unswept`."""
         return Area(self.outer.area - add_up(loop.area for loop in (self.inner, *self.unswept)))
 
     @cached_property
@@ -143,7 +143,7 @@ class SweepAnswer(Certified):
 
     @cached_property
     def _route(self) -> Outline:
-        """The trajectory of G's origin in the frame, for look-ups of points."""
+        """The trajectory of G's origin in the frame, indexed for point queries."""
         return Outline([self._enter(self.solution.trajectory)])
 
     def _enter(self, points: Iterable[Point]) -> list[Vertex]:
@@ -151,17 +151,17 @@ class SweepAnswer(Certified):
 
     @cached_property
     def _numbered_contacts(self) -> list[list[Contact]]:
-        """The contacts along the edges of the trajectory, features in canonical order."""
+        """The contacts along the edges of the trajectory, numbered in canonical order."""
         return find_edge_contacts(list_edges(self._route.vertices), *self._boundaries)
 
     @cached_property
     def contacts(self) -> tuple[tuple[Contact, ...], ...]:
         """The contacts along each edge of the trajectory (Table 1).
 
-        Item k has the EV, VE and EE contacts that last along a piece of positive length of edge k,
-        from vertex k of the trajectory to the next. It omits contacts at single positions, such as
-        VV (see `vertex_contacts`), and EV and VE contacts that an EE contact implies. Features are
-        numbered as in the input: vertex i, and edge i from vertex i to the next.
+        Item k contains the EV, VE and EE contacts that last along a piece of positive length of
+        edge k, from vertex k of the trajectory to the next. It omits contacts at single positions,
+        such as VV (see `vertex_contacts`), and EV and VE contacts that an EE contact implies.
+        Features are numbered as in the input: edge i runs from vertex i to the next.
 
         >>> from exactsweep import sweep
         >>> square = [(0, 0), (1, 0), (1, 1), (0, 1)]
@@ -176,8 +176,8 @@ class SweepAnswer(Certified):
     ) -> Iterator[tuple[tuple[Contact, ...], ...]]:
         """Find the contacts along the edges of loops of free positions, in the form of `contacts`.
 
-        A loop of two positions is the path from one to the other and back; it has no contacts if
-        both are equal. Cost: that of one call of `contacts`.
+        A loop of two positions runs from one to the other and back; it has no contacts if they are
+        equal. Cost: that of one call of `contacts`.
         """
         enter, reference = self.solution.frame.enter_point, self.reference
         edges = [
@@ -193,14 +193,14 @@ class SweepAnswer(Certified):
 
     @cached_property
     def vertex_contacts(self) -> tuple[tuple[Contact, ...], ...]:
-        """All contacts at each vertex of the trajectory, also VV, numbered as in `contacts`.
+        """All contacts at each vertex of the trajectory, including VV, numbered as in `contacts`.
 
         Cost: O(t (m + n) log(m + n)) for t vertices.
         """
         return tuple(self.contacts_at(vertex) for vertex in self.trajectory.vertices)
 
     def contacts_at(self, position: Iterable[object]) -> tuple[Contact, ...]:
-        """Find all contacts for a position of G's reference point, numbered as in `contacts`.
+        """Find all contacts at a position of G's reference point, numbered as in `contacts`.
 
         Cost: O((m + n) log(m + n)).
         """
@@ -247,7 +247,7 @@ class SweepAnswer(Certified):
     def __str__(self) -> str:
         names = "trajectory", "inner", "outer"
         loops = [(name, getattr(self, name)) for name in names]
-        # Of kind "SS" there is no direction.
+        # Kind "SS" has no direction.
         to = f"monotone in {write_vector(self.direction)}" if self.direction else "of any shape"
         return "\n".join(
             [f"{self.kind} sweep, {to}, area {abridge(self.area)}"]

@@ -1,8 +1,8 @@
 """Undercuts: the regions between D and the inner loop, out of G's reach (Section 4, Figure 7).
 
 A piece of D bounds an undercut on one side; its bottom chain, a piece of the inner loop, bounds it
-on the other. They meet in the extreme contact points. For a convex G the bottom chain is a piece of
-G in one position (Figure 7a), or a piece of one edge of G that can slide along itself while it
+on the other. They meet in the extreme contact points. For a convex G, the bottom chain is a piece
+of G in one position (Figure 7a), or a piece of an edge of G that can slide along itself while it
 touches both points (Figure 7b). A monotone G may need several positions.
 
 G draws the bottom chain as it moves along the trajectory T. An edge of the chain is a piece of an
@@ -39,11 +39,11 @@ class Undercut(NamedTuple):
         polygon: the region.
         extremes: the two extreme contact points, the ends of the bottom chain.
         bottom: the bottom chain, a tuple of Point; the region lies left of it.
-        intersection: "segment" if one edge of G touches both extreme points while it slides along
+        intersection: "segment" if an edge of G touches both extreme points while it slides along
             itself, so that the subtrajectories share a segment; else "point".
-        positions: tuple of Point on the trajectory, at which G closes the undercut: one for a point
-            intersection, the two ends for a segment. If no single position closes all of it, there
-            are more, in the order of the bottom chain.
+        positions: tuple of Points on the trajectory at which G closes the undercut: one for a point
+            intersection, the two ends for a segment, or more in the order of the bottom chain if no
+            single position closes all of it.
     """
 
     polygon: Polygon
@@ -54,7 +54,7 @@ class Undercut(NamedTuple):
 
 
 class TracedPiece(NamedTuple):
-    """A line piece that G draws at a vertex or along an edge of T, with its positions."""
+    """A segment that G draws at a vertex or along an edge of T, with its positions."""
 
     positions: tuple[Vertex, ...]
     piece: Segment
@@ -71,15 +71,14 @@ class Tracer(NamedTuple):
     generatrix: Outline
 
     def _list_slides(self, u: Vector) -> list[tuple[int, Segment]]:
-        """List the edges of T in a direction, by their low ends."""
+        """List the edges of T in a direction, sorted by their low ends."""
         slides = [(k, s) for k, s in enumerate(self.path.pieces) if s.direction == u]
         return sorted(slides, key=lambda slide: slide[1].low)
 
     def find_slide(self, whole: Segment) -> list[Vertex]:
-        """Find where on an edge of T an edge of G covers an edge of the chain.
+        """Find the positions along an edge of T at which an edge of G covers an edge of the chain.
 
-        Returns the two ends of the first piece of positive length, else the first single position,
-        if any.
+        Returns the ends of the first piece of positive length, or else the first single position.
         """
         single: list[Vertex] = []
         slides = self._list_slides(whole.direction)
@@ -98,10 +97,10 @@ class Tracer(NamedTuple):
         return [own for own in self.generatrix.pieces if own.direction == whole.direction]
 
     def choose(self, edge: Edge, whole: Segment) -> list[TracedPiece]:
-        """Choose a small set of drawings that covers an edge.
+        """Choose a few drawn pieces that cover an edge; raise ExactSweepError if there are none.
 
-        The search tries edges of G with an end in common; then vertices and edges of G along edges
-        of T; then other edges of G. Raises ExactSweepError if nothing draws the edge.
+        The search tries edges of G that share an end with it; then vertices and edges of G along
+        edges of T; then other edges of G.
         """
         tried: list[TracedPiece] = []
         for draw in (self.draw_from_ends(whole, edge), self.draw_along(whole), self.draw_at(whole)):
@@ -116,7 +115,7 @@ class Tracer(NamedTuple):
         raise ExactSweepError("no feature of the generatrix draws this edge")
 
     def draw_from_ends(self, whole: Segment, ends: Sequence[Vertex]) -> Iterator[TracedPiece]:
-        """Draw by edges of G that end, at a vertex of T, at one of the given points."""
+        """Draw with edges of G that end at one of the given points when G is at a vertex of T."""
         for i, own in enumerate(self.generatrix.pieces):
             if own.direction == whole.direction:
                 for p, q in product(ends, self.generatrix.edge(i)):
@@ -124,7 +123,7 @@ class Tracer(NamedTuple):
                         yield _draw_at(minus(p, q), own)
 
     def draw_along(self, whole: Segment) -> Iterator[TracedPiece]:
-        """Draw by vertices and edges of G along edges of T; an edge stands for its first vertex."""
+        """Draw with vertices and edges of G along edges of T; an edge includes its first vertex."""
         u = whole.direction
         pens = [
             own if own.direction == u else lay_point(vertex, u)
@@ -136,7 +135,7 @@ class Tracer(NamedTuple):
                 yield TracedPiece(self.path.edge(k), whole._replace(low=low, high=high))
 
     def draw_at(self, whole: Segment) -> Iterator[TracedPiece]:
-        """Draw by edges of G at vertices of T."""
+        """Draw with edges of G at vertices of T."""
         stops = sorted(self.path.vertices, key=lambda t: measure_along(whole.direction, t))
         for own, t in product(self._list_edges(whole), stops):
             drawing = _draw_at(t, own)
@@ -154,13 +153,13 @@ def find_closing_positions(
 ) -> tuple[Intersection, list[Vertex]]:
     """Find `intersection` and `positions` of an undercut from its bottom chain, in the frame.
 
-    Raises ExactSweepError if G does not draw the chain, because it does not belong to the sweep.
+    Raises ExactSweepError if the chain belongs to another sweep.
     Cost: O(t n) for each edge, for t edges of T and n of G.
     """
     edges = [(edge, make_segment(edge)) for edge in pairwise(bottom)]
     (first, whole), *others = edges
-    # Inside an edge of T only a parallel edge of G draws. So G closes a bent chain at a vertex of
-    # T, where a vertex of G is at each bend.
+    # Inside an edge of T, only a parallel edge of G draws. So G closes a bent chain at a vertex of
+    # T, with a vertex of G at each bend.
     if not others and (closing := tracer.find_slide(whole)):
         return "point" if len(closing) == 1 else "segment", closing
     found = tracer.draw_from_ends(whole, first[1:]) if others else tracer.draw_at(whole)

@@ -1,4 +1,4 @@
-"""The no-fit polygon of two groups of shapes, each of which is rigid."""
+"""The no-fit polygon of two rigid groups of shapes."""
 
 from __future__ import annotations
 
@@ -21,11 +21,11 @@ class NoFitUnion(RegionAnswer):
     Each property is computed on first access.
 
     Attributes:
-        stationary: the Regions that stay.
+        stationary: the stationary Regions.
         orbiting: the Regions that move together.
         reference: the point of the orbiting shapes that marks a position, a Point.
-        regions: the regions of overlap, possibly with holes, sorted. Each one is the closure of a
-            connected set, except for exact fits inside it.
+        regions: the regions of overlap, possibly with holes, sorted. The positions of overlap in a
+            region are connected.
         exact_fits: free positions without room to either side, as for `NoFitPolygon`.
     """
 
@@ -70,17 +70,17 @@ def no_fit_union(
     Args:
         stationary: a list of shapes, each a Polygon, a Region or the vertices of a polygon. They
             may touch or overlap each other.
-        orbiting: likewise; all of them move together.
+        orbiting: the list of shapes that move together.
         reference: the point of the orbiting shapes that marks a position, in their coordinates.
 
     Returns:
         A NoFitUnion: the union of the no-fit polygons of all pairs, as regions, and the exact fits.
 
     Raises:
-        PolygonError: a shape is not valid, or a group is empty; the message begins with its name.
-        NumberError: a coordinate is not an exact number; likewise.
+        PolygonError: a shape is not valid, or a group is empty.
+        NumberError: a coordinate is not an exact number. Messages begin with the argument's name.
 
-    Cost: as for `positions.find_no_fit`, over all pairs of shapes.
+    Cost: that of `positions.find_no_fit`, over all pairs of shapes.
 
     Example:
         >>> square = [(0, 0), (1, 0), (1, 1), (0, 1)]
