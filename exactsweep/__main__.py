@@ -1,4 +1,4 @@
-"""`python -m exactsweep`, the same as the command."""
+"""Entry point of `python -m exactsweep`, equivalent to the command."""
 
 from exactsweep.cli import main
 

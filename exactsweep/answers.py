@@ -21,7 +21,7 @@ class Sweep(SweepAnswer):
 
     Attributes:
         generatrix: G, a Polygon; a Region if the kind is "SS".
-        directrix: D, likewise.
+        directrix: D, of the same type.
         kind: "CC" if both are convex, "CM" if only G is convex, "MM" if both are monotone, or "SS"
             for any shape.
         direction: the shared direction of monotonicity, a primitive integer vector; None if the
@@ -42,7 +42,7 @@ class Sweep(SweepAnswer):
         return plot_sweep(self, axes, positions=positions, y_down=y_down)
 
     def view(self, height: int = 600) -> InlinePage:
-        """Return the interactive page for a notebook, in a frame of a height in pixels."""
+        """Return the interactive page for a notebook; `height` is in pixels."""
         from exactsweep.view import InlinePage
 
         return InlinePage(self, height)
@@ -100,7 +100,7 @@ class NoFitPolygon(_Shown, NoFitAnswer):
 class InnerFit(_Shown, InnerFitAnswer):
     """The positions of a part inside a container, free of placed shapes if there are any.
 
-    `inner_fit_polygon` and `free_positions` return it. It is true if there is any position.
+    Made by `inner_fit_polygon` and `free_positions`. It is true if there is any position.
 
     Attributes:
         container: a Region, whose holes are defects.

@@ -1,4 +1,4 @@
-"""Child processes that end reliably, with all their descendants."""
+"""Child processes, and pools of them, that end reliably with all their descendants."""
 
 from __future__ import annotations
 
@@ -20,14 +20,14 @@ if TYPE_CHECKING:
     import subprocess
 
 _MARK = "EXACTSWEEP_MARK"
-# For spawned processes: ignore modules of the working directory, and silence the resource tracker,
-# which complains about killed processes.
+# Spawned processes must not import modules from the working directory. The resource tracker would
+# warn about killed processes.
 _SPAWNED = {"PYTHONSAFEPATH": "1", "PYTHONWARNINGS": "ignore:resource_tracker:UserWarning"}
 _PASSES = 20
 
 _T = TypeVar("_T")
 
-# Held while a process starts, so that `_end_all` misses none.
+# Held while a process starts, so that `_end_all` finds it.
 _starting = RLock()
 
 # Locked files; a forked process would share their locks.
@@ -38,7 +38,7 @@ class Started:
     """A child process in its own process group, with pipes, and a mark in its environment.
 
     `end` kills the group, the descendants and, on systems with /proc, all processes with the mark.
-    It misses an orphan with another group and environment: this is not a sandbox.
+    It cannot find an orphan that changed its group and its environment: this is not a sandbox.
 
     Args:
         command: the program and its arguments.
@@ -74,13 +74,13 @@ class Started:
     def read_peak(self) -> int | None:
         """Return the sum of the peak memory of the process and its running descendants, in bytes.
 
-        The peaks may be at different times. None if the system does not report them.
+        The peaks may occur at different times. None if the system does not report them.
         """
         peaks = [peak for pid in _find_family(self.process.pid) if (peak := read_peak(pid))]
         return sum(peaks) or None
 
     def wait(self, seconds: float) -> int | None:
-        """Return the exit code, as of `subprocess.Popen`, or None after a timeout."""
+        """Return the exit code, as `subprocess.Popen` does, or None after a timeout."""
         from subprocess import TimeoutExpired
 
         with suppress(TimeoutExpired):
@@ -112,7 +112,7 @@ def _make_mark() -> str:
 def _find_family(pid: int) -> list[int]:
     """List a process and its descendants."""
     family = [pid]
-    # A loop: the tree may be deeper than Python's recursion limit.
+    # Not recursive: the tree may be deeper than Python's recursion limit.
     for parent in family:
         for path in Path(f"/proc/{parent}/task").glob("*/children"):
             with suppress(OSError):
@@ -129,7 +129,7 @@ def read_peak(pid: int) -> int | None:
 
 
 def _kill_marked(mark: str) -> None:
-    # A process that forks meanwhile may escape one pass.
+    # A process that forks during a pass may escape it.
     for _ in range(_PASSES):
         marked = list(_find_marked(mark.encode()))
         for pid in marked:
@@ -155,10 +155,7 @@ def count_cores() -> int:
 
 
 def lock(file: IO[Any]) -> bool:
-    """Lock an open file for this process; return False if another process holds the lock.
-
-    The system releases the lock when this process ends.
-    """
+    """Lock an open file until this process ends; return False if another process has the lock."""
     try:
         import fcntl
     except ImportError:  # not Unix
@@ -172,17 +169,11 @@ def lock(file: IO[Any]) -> bool:
 
 
 class Pool:
-    """A pool of processes that end, with all descendants, when this process ends.
+    """A pool of `count` processes that end, with all descendants, when this process ends.
 
-    Args:
-        count: the number of processes.
-        prepare: a function that each process calls first.
-        arguments: its arguments.
-        forks: whether to fork while this process has a single thread; forking starts sooner.
-
-    Raises:
-        BrokenProcessPool: by `submit` and its futures, after a process was killed; `start` restarts
-            the pool.
+    Each process first calls `prepare(*arguments)`. With `forks`, processes are forked, which is
+    faster, while this process has a single thread. After a process was killed, `submit` and its
+    futures raise BrokenProcessPool; `start` restarts the pool.
     """
 
     def __init__(
@@ -195,14 +186,14 @@ class Pool:
         self.count = count
         self._prepare = prepare, arguments
         self._forks = forks
-        # Nothing is sent: the pipe closes when this process ends.
+        # The pipe carries no data; it closes when this process ends.
         self._lifeline, self._held = multiprocessing.Pipe(duplex=False)
         self.start()
 
     def start(self) -> None:
         """Start new processes."""
         own = {name: os.environ.get(name) for name in _SPAWNED}
-        # A fork would copy locks that other threads hold.
+        # A fork would copy locks held by other threads.
         method = "fork" if self._forks and _has_one_thread() else "spawn"
         context = multiprocessing.get_context(method)
         with _allow_spawn():
@@ -228,7 +219,7 @@ class Pool:
 
 
 def _has_one_thread() -> bool:
-    """Decide whether this process has a single thread; False where the system is not Linux."""
+    """Decide whether this process has a single thread; always False except on Linux."""
     with suppress(OSError):
         return len(os.listdir("/proc/self/task")) == 1
     return False
@@ -236,9 +227,9 @@ def _has_one_thread() -> bool:
 
 @contextmanager
 def _allow_spawn() -> Iterator[None]:
-    """Shield processes that start meanwhile from Control-C and from modules of the working folder.
+    """Protect processes that start inside from Control-C and modules of the working directory.
 
-    Control-C reaches this process afterwards.
+    This process receives a Control-C afterwards.
     """
     held_back = hasattr(signal, "pthread_sigmask")  # not on Windows
     before = signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT}) if held_back else ()
@@ -273,7 +264,7 @@ def _begin(
 ) -> None:
     global _together
     _together = barrier
-    # Close this copy: the pipe has to end with the parent.
+    # The pipe must close with the parent, so close this copy.
     held.close()
     for file in _locked:
         if not file.closed:
@@ -305,6 +296,6 @@ def _end_all(mark: str) -> NoReturn:
 
 
 def _call_together(function: Callable[..., _T], *arguments: object) -> _T:
-    """Call a function when all processes are ready."""
+    """Call a function as soon as all processes are ready."""
     _together.wait()
     return function(*arguments)

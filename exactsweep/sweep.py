@@ -1,4 +1,4 @@
-"""Public functions: read shapes, choose the class of the pair, and return answers."""
+"""The public functions for sweeps, no-fit polygons, inner fits and free positions."""
 
 from __future__ import annotations
 
@@ -34,21 +34,21 @@ def sweep(
 ) -> Sweep:
     """Sweep a generatrix (first argument) around a directrix, in contact and without overlap.
 
-    The order of the arguments is that of the paper's (G, D); keywords allow any order.
+    The order of the arguments is that of the paper's (G, D).
 
     Args:
         generatrix: G, a Polygon, a Region or the vertices of a polygon.
-        directrix: D, likewise.
+        directrix: D, in any of these forms.
         direction: a pair of numbers, a shared direction of monotonicity; by default the choice of
             `find_shared_direction`. The loops do not depend on it.
         reference: the point of G whose path is the trajectory, in the coordinates of G.
 
     Returns:
-        A Sweep with trajectory, inner and outer loop.
+        A Sweep with its trajectory, inner loop and outer loop.
 
     Raises:
-        PolygonError: a polygon is not simple; the message begins with its name.
-        NumberError: a coordinate is not an exact number; likewise.
+        PolygonError: a polygon is not simple.
+        NumberError: a coordinate is not an exact number. Messages begin with the argument's name.
         DirectionError: a polygon is not monotone in the requested direction, or has a hole.
 
     Cost: O(m + n) for CC and O(m n) for CM. For MM, O(m n log n) for the trajectory and
@@ -95,11 +95,11 @@ def no_fit_polygon(
 ) -> NoFitPolygon:
     """Find the positions where an orbiting polygon overlaps a stationary one (first argument).
 
-    Keywords allow any order; the first argument of `sweep` is the moving polygon.
+    In `sweep`, the first argument is the moving polygon.
 
     Args:
         stationary: D, a Polygon, a Region or the vertices of a polygon.
-        orbiting: G, likewise.
+        orbiting: G, in any of these forms.
         reference: the point of G that marks a position, in the coordinates of G.
 
     Returns:
@@ -107,10 +107,10 @@ def no_fit_polygon(
         fits inside D; and its exact fits, free positions without room to either side.
 
     Raises:
-        PolygonError: a shape is not valid; the message begins with its name.
-        NumberError: a coordinate is not an exact number; likewise.
+        PolygonError: a shape is not valid.
+        NumberError: a coordinate is not an exact number. Messages begin with the argument's name.
 
-    Cost: as for the trajectory of `sweep`; for other shapes as for `positions.find_no_fit`.
+    Cost: that of the trajectory of `sweep`, or that of `positions.find_no_fit` for kind "SS".
 
     Example:
         >>> square, triangle = [(0, 0), (1, 0), (1, 1), (0, 1)], [(0, 0), (2, 0), (1, 2)]
@@ -133,11 +133,11 @@ def inner_fit_polygon(
     *,
     reference: Iterable[object] = (0, 0),
 ) -> InnerFit:
-    """Find all positions of a part inside a container (first argument); keywords allow any order.
+    """Find all positions of a part inside a container (first argument).
 
     Args:
         container: a Polygon, a Region, whose holes are defects, or the vertices of a polygon.
-        part: likewise.
+        part: the part, in any of these forms.
         reference: the point of the part that marks a position, in the coordinates of the part.
 
     Returns:
@@ -145,10 +145,10 @@ def inner_fit_polygon(
         the part. Both are empty if the part does not fit.
 
     Raises:
-        PolygonError: a shape is not valid; the message begins with its name.
-        NumberError: a coordinate is not an exact number; likewise.
+        PolygonError: a shape is not valid.
+        NumberError: a coordinate is not an exact number. Messages begin with the argument's name.
 
-    Cost: as for `positions.find_inner_fit`.
+    Cost: that of `positions.find_inner_fit`.
 
     Example:
         >>> bin, unit = [(0, 0), (4, 0), (4, 2), (0, 2)], [(0, 0), (1, 0), (1, 1), (0, 1)]
@@ -165,19 +165,8 @@ def inner_fit_polygon(
 def minkowski_difference(a: Region | Vertices, b: Region | Vertices) -> InnerFit:
     """Find the Minkowski difference of two shapes, the erosion of a by b.
 
-    It consists of all translations that move b into a, so it is the inner fit of b in a.
-
-    Args:
-        a: a Polygon, a Region or the vertices of a polygon.
-        b: likewise.
-
-    Returns:
-        As `inner_fit_polygon`.
-
-    Raises:
-        PolygonError, NumberError: likewise; the message begins with "a" or "b".
-
-    Cost: likewise.
+    It consists of all translations that move b into a: `inner_fit_polygon` with a as the container
+    and b as the part. It has the same arguments, errors and cost; messages begin with "a" or "b".
 
     Example:
         >>> print(minkowski_difference([(0, 0), (4, 0), (0, 4)], [(0, 0), (1, 0), (1, 1), (0, 1)]))
@@ -199,9 +188,9 @@ def free_positions(
 
     Args:
         container: a Polygon, a Region, whose holes are defects, or the vertices of a polygon.
-        placed: the placed shapes, likewise, in their positions. They may touch or overlap each
-            other and the container.
-        part: likewise.
+        placed: a list of shapes in their positions, in any of these forms. They may touch or
+            overlap each other and the container.
+        part: the part, in any of these forms.
         reference: the point of the part that marks a position, in the coordinates of the part.
         attached: further shapes that move with the part, as a rigid group.
 
@@ -210,10 +199,10 @@ def free_positions(
         least two sides. It is false if there is no position.
 
     Raises:
-        PolygonError: a shape is not valid; the message begins with its name.
-        NumberError: a coordinate is not an exact number; likewise.
+        PolygonError: a shape is not valid.
+        NumberError: a coordinate is not an exact number. Messages begin with the argument's name.
 
-    Cost: as for `positions.find_inner_fit`.
+    Cost: that of `positions.find_inner_fit`.
 
     Example:
         >>> bin, unit = [(0, 0), (4, 0), (4, 2), (0, 2)], [(0, 0), (1, 0), (1, 1), (0, 1)]

@@ -18,7 +18,7 @@ CLASSES = {
 
 
 def write_pair(point: Iterable[object]) -> str:
-    """Write a point or a vector without blanks; long numbers are shortened.
+    """Format a point or a vector without spaces, with long numbers shortened.
 
     >>> write_pair((1, "-7/2"))
     '(1,-7/2)'
@@ -27,7 +27,7 @@ def write_pair(point: Iterable[object]) -> str:
 
 
 def write_vector(direction: Iterable[object]) -> str:
-    """Write a direction like a pair of Python; long numbers are shortened.
+    """Format a direction like a Python tuple, with long numbers shortened.
 
     >>> write_vector((1, -2)), write_vector((1, 10**5000))
     ('(1, -2)', '(1, 1e+5000~)')
@@ -67,7 +67,7 @@ def name_heading(vector: Vertex) -> str:
 
 
 def write_degrees(vector: Vertex) -> str:
-    """Write the rounded angle of a vector from the X axis, counter-clockwise, in degrees.
+    """Format the counter-clockwise angle of a vector from the X axis in degrees, rounded.
 
     >>> write_degrees((1, -2)), write_degrees((0, 10**400)), write_degrees((-1, 1))
     ('-63.4', '90', '135')
@@ -89,7 +89,7 @@ def suggest(word: str, words: Iterable[str]) -> str:
 
 
 def spell_out(text: str) -> str:
-    r"""Write a text on one line, with escapes for unprintable characters.
+    r"""Format a text on one line, with escapes for unprintable characters.
 
     >>> spell_out("a\nb")
     'a\\nb'

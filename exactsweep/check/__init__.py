@@ -1,4 +1,4 @@
-"""The checking side: answers from the definition alone, sharing no code with the computation."""
+"""Checkers, which work from the definition alone and share no code with the computation."""
 
 from exactsweep.check.classify import Classification, classify
 from exactsweep.check.location import point_in_polygon

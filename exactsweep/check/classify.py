@@ -1,11 +1,11 @@
 """Classification of one translation of a polygon: free, in contact, or overlapping.
 
-All pairs of edges whose boxes meet are compared, on ints. Boundaries that meet without crossing
-have a vertex of one of them in common; there the interiors are compared as cones.
+All pairs of edges whose boxes meet are compared, on ints. If boundaries meet without crossing, a
+vertex of one lies on the other; there the interiors are compared as cones.
 
 - If edges cross, or cones at a common point share a direction, the interiors meet.
-- If there are common points only, the interiors are disjoint: a ring could enter the other interior
-  only from a common point, along a direction of both cones.
+- If there are only other common points, the interiors are disjoint: a ring could enter the other
+  interior only from a common point, in a direction of both cones.
 - If there is no common point, the exterior of one is inside the other interior, or they are apart.
   If only holes were inside, both exteriors would surround them, and the inner exterior would
   separate the interior of the other polygon.
@@ -29,7 +29,7 @@ Meeting = Literal["FREE", "CONTACT", "OVERLAP"]
 
 
 class Classification(NamedTuple):
-    """A verdict with a point of both interiors (OVERLAP) or of both boundaries (CONTACT)."""
+    """A verdict, with a point in both interiors (OVERLAP) or on both boundaries (CONTACT)."""
 
     verdict: Meeting
     witness: Point | None
@@ -39,22 +39,22 @@ class Classification(NamedTuple):
 def classify(directrix: Any, generatrix: Any, t: tuple[Any, Any]) -> Classification:
     """Decide whether a directrix D meets a translated generatrix G + t.
 
-    The directrix comes first here, the generatrix in `sweep`.
+    The directrix is the first argument here, but the second one of `sweep`.
 
     Args:
-        directrix: D, a Polygon, its vertices or a Region, m edges.
-        generatrix: G, likewise, n edges.
+        directrix: D, a Polygon, its vertices or a Region, with m edges.
+        generatrix: G, in any of these forms, with n edges.
         t: a pair of rationals.
 
     Returns:
-        Classification. OVERLAP: the interiors meet, and the witness is in both of them. CONTACT:
-        only the boundaries meet, and the witness is in both. FREE: no common point, None.
+        A Classification. OVERLAP: the interiors meet, and the witness is in both. CONTACT: only the
+        boundaries meet, and the witness is on both. FREE: there is no common point, and no witness.
 
     Raises:
-        PolygonError: a polygon is not simple; the message begins with its name.
-        NumberError: a coordinate is not an exact number; likewise.
+        PolygonError: a polygon is not simple.
+        NumberError: a coordinate is not an exact number. Messages begin with the argument's name.
 
-    Cost: O(mn) for edges within both boxes.
+    Cost: O(m n) for the edges in the intersection of both boxes.
     Source: Definition 1.1.
 
     >>> square = [(0, 0), (2, 0), (2, 2), (0, 2)]
@@ -89,7 +89,7 @@ def classify(directrix: Any, generatrix: Any, t: tuple[Any, Any]) -> Classificat
 def _witness(
     point: Vertex, direction: Vertex, shapes: tuple[LatticeShape, LatticeShape], scale: int
 ) -> Point:
-    """Return the point halfway to the next boundary in a direction of both cones."""
+    """Return the point halfway to the next boundary in a common direction of the cones."""
     x, y = point
     dx, dy = direction
     reach = []
@@ -99,7 +99,7 @@ def _witness(
         for k, (vx, vy) in enumerate(loop):
             a, b = off[k - 1], off[k]
             # Where the ray leaves a shape, the boundary reaches its line from the right or leaves
-            # it to the left. Of an edge along the ray, its two neighbors give the ends.
+            # it to the left. The neighbors of an edge along the ray give the ends of the edge.
             if a != b and a <= 0 <= b:
                 ux, uy = loop[k - 1]
                 share = Fraction(a) / (a - b)

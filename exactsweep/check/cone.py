@@ -11,7 +11,7 @@ from exactsweep.numbers.number import Rational, Vertex
 
 
 class Ray(NamedTuple):
-    """The direction of an edge from a point on it, and whether the boundary leaves along it."""
+    """The direction of an edge from a point on it, and whether it is outgoing."""
 
     along: Vertex
     outgoing: bool
@@ -25,17 +25,17 @@ class Cone(NamedTuple):
 
     @property
     def is_wide(self) -> bool:
-        """Return whether the angle is more than a half turn."""
+        """Decide whether the angle is more than a half turn."""
         return cross(self.start, self.end) < 0
 
     def holds(self, d: Vertex) -> bool:
-        """Return whether a direction is in the cone, with its start and without its end."""
+        """Decide whether a direction is in the half-open cone, which includes its start."""
         if cross(self.start, d) == 0 and dot(self.start, d) > 0:
             return True
         return self.surrounds(d)
 
     def surrounds(self, d: Vertex) -> bool:
-        """Return whether a direction is strictly inside the cone."""
+        """Decide whether a direction is strictly inside the cone."""
         if cross(self.start, self.end) > 0:
             return cross(self.start, d) > 0 and cross(d, self.end) > 0
         return cross(self.start, d) > 0 or cross(d, self.end) > 0
@@ -53,7 +53,7 @@ def find_cones(rays: Sequence[Ray]) -> list[Cone]:
 
 
 def find_common_direction(some: Iterable[Cone], others: Sequence[Cone]) -> Vertex | None:
-    """Return a direction inside a cone of each; of two that meet, one starts in the other."""
+    """Return a common inner direction: if two cones meet, one of them starts in the other."""
     for one in some:
         for other in others:
             for a, b in ((one, other), (other, one)):
@@ -85,7 +85,7 @@ def dot(p: Vertex, q: Vertex) -> Rational:
 
 
 def divide(n: Rational, d: Rational) -> Rational:
-    """Return a quotient, an int if possible; ints are divided without Fractions."""
+    """Return a quotient, as an int if possible."""
     if type(n) is int and type(d) is int:
         quotient, rest = divmod(n, d)
         return Fraction(n, d) if rest else quotient
@@ -94,7 +94,7 @@ def divide(n: Rational, d: Rational) -> Rational:
 
 
 def is_between(p: Vertex, a: Vertex, b: Vertex) -> bool:
-    """Return whether p is on the closed segment from a to b."""
+    """Decide whether p is on the closed segment from a to b."""
     return min(a, b) <= p <= max(a, b) and cross(subtract(b, a), subtract(p, a)) == 0
 
 

@@ -13,11 +13,11 @@ from exactsweep.numbers.number import Vertex
 
 @tells_arguments
 def point_in_polygon(point: tuple[Any, Any], polygon: Any) -> int:
-    """Locate a point: 1 in the open interior of a polygon, 0 on its boundary, -1 outside.
+    """Locate a point: 1 in the interior of a polygon, 0 on its boundary, -1 outside.
 
     Args:
         point: a pair of rationals.
-        polygon: a Polygon, its vertices or a Region, n edges.
+        polygon: a Polygon, its vertices or a Region, with n edges.
 
     Raises:
         PolygonError: the polygon is not simple, or the point is not a pair.
@@ -35,26 +35,20 @@ def point_in_polygon(point: tuple[Any, Any], polygon: Any) -> int:
 
 
 def locate_in_shape(point: Vertex, rings: Sequence[Sequence[Vertex]]) -> int:
-    """Locate a point like `point_in_polygon`; holes are outside."""
+    """Locate a point relative to a shape; holes are outside."""
     sides = [locate(point, ring) for ring in rings]
     return 0 if 0 in sides else 1 if sides.count(1) == 1 else -1
 
 
 def locate(point: Vertex, loop: Sequence[Vertex]) -> int:
-    """Locate a point like `point_in_polygon`, by the parity of the edges right of it.
-
-    Args:
-        point: two exact numbers.
-        loop: the vertices of a simple polygon, not closed.
-
-    Cost: O(n) comparisons; multiplications only for edges across the height of the point.
-    """
+    """Locate a point relative to a simple loop by the parity of the edges right of it."""
     x, y = point
     side = -1
     ax, ay = loop[-1]
     for bx, by in loop:
-        # An edge contains its lower end and not its upper one: a vertex at the height of the point
-        # counts twice or not at all where the boundary turns back, else once.
+        # An edge contains its lower end but not its upper one. So a vertex at the height of the
+        # point counts once where the boundary continues, and twice or not at all where it turns
+        # back.
         if (ay <= y) != (by <= y):
             turn = (bx - ax) * (y - ay) - (by - ay) * (x - ax)
             if turn == 0:

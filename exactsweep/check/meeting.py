@@ -27,7 +27,7 @@ def list_meetings(
 ) -> Iterator[tuple[Vertex, tuple[Cones, Cones]]]:
     """Yield common boundary points, crossings first, each with the cones of both shapes.
 
-    Cost: O(mn) for m and n edges within both boxes.
+    Cost: O(m n) for m and n edges in the intersection of both boxes.
     """
     through: dict[Vertex, tuple[set[Edge], set[Edge]]] = defaultdict(lambda: (set(), set()))
     for e, f in _list_near(shapes):
@@ -98,7 +98,7 @@ def split_where_touching(shape: LatticeShape) -> LatticeShape:
 
 
 def find_cones_of(shape: LatticeShape) -> dict[Vertex, Cones]:
-    """Return the cones at each vertex of a shape whose rings touch in vertices only."""
+    """Return the cones at each vertex of a shape whose rings touch only at vertices."""
     at: dict[Vertex, list[Edge]] = defaultdict(list)
     for edge in list_edges(shape):
         for p in edge:

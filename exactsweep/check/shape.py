@@ -1,4 +1,4 @@
-"""Shapes as rings of points: the exterior counter-clockwise, then holes, clockwise."""
+"""Shapes as rings of points: the counter-clockwise exterior, then the clockwise holes."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ Outlines = tuple[Loop, ...]
 LatticeRing = tuple[Vertex, ...]
 LatticeShape = tuple[LatticeRing, ...]
 Rectangle = tuple[Rational, Rational, Rational, Rational]
-"""The least and the greatest x, the least and the greatest y."""
+"""The least and greatest x, and the least and greatest y."""
 
 
 def list_rings(shape: Any) -> Outlines:
@@ -42,7 +42,7 @@ def find_scale(points: Iterable[Point]) -> int:
 
 
 def scale_shapes(shapes: Sequence[Outlines]) -> tuple[int, list[LatticeShape]]:
-    """Scale shapes by the `find_scale` of all their vertices."""
+    """Scale shapes to a common scale chosen by `find_scale`."""
     scale = find_scale([p for shape in shapes for ring in shape for p in ring])
     return scale, [_scale_shape(shape, scale) for shape in shapes]
 
@@ -53,7 +53,7 @@ def _scale_shape(rings: Outlines, scale: int) -> LatticeShape:
 
 
 def scale_ring(points: Iterable[Point], scale: int) -> LatticeRing:
-    """Multiply points by a scale: ints where possible, else Fractions."""
+    """Multiply points by a scale, with ints where possible."""
     return tuple(
         (divide(x.numerator * scale, x.denominator), divide(y.numerator * scale, y.denominator))
         for x, y in points
@@ -61,11 +61,11 @@ def scale_ring(points: Iterable[Point], scale: int) -> LatticeRing:
 
 
 def find_box(points: Iterable[Vertex]) -> Rectangle:
-    """Return the box of points."""
+    """Return the bounding box of points."""
     xs, ys = zip(*points, strict=True)
     return min(xs), max(xs), min(ys), max(ys)
 
 
 def meet(one: Rectangle, other: Rectangle) -> bool:
-    """Return whether two closed boxes have a point in common."""
+    """Decide whether two closed boxes intersect."""
     return one[0] <= other[1] and other[0] <= one[1] and one[2] <= other[3] and other[2] <= one[3]

@@ -1,4 +1,4 @@
-"""The verdict on a certificate: `standalone.prove` and a comparison with given polygons."""
+"""Verification of certificates by `standalone.prove`, and comparison with given polygons."""
 
 from __future__ import annotations
 
@@ -31,8 +31,8 @@ from exactsweep.numbers.number import Point
 class Verification(NamedTuple):
     """The verdict on a certificate: proved, or the first reason why it is not.
 
-    The witness, if there is one, is a point of the loop, edge, shape or layout in the reason; for
-    the exterior, the holes and the exact fits a translation of the generatrix.
+    The witness, if there is one, is a point of the loop, edge, shape or layout named in the reason.
+    For the exterior, the holes and the exact fits, it is a translation of the generatrix.
     """
 
     proved: bool
@@ -55,27 +55,27 @@ def verify(
     """Decide whether a certificate proves its answer.
 
     Args:
-        certificate: as `json.loads` gives it, from any source; of a sweep, a no-fit polygon, an
-            inner fit, a sum with a path or a layout.
-        generatrix: the required polygon G: a Polygon, its vertices or a Region. By default any.
-        directrix: the required polygon D, likewise.
-        part: the required part of an inner fit, likewise.
-        container: the required container of an inner fit, likewise.
-        shape: the required shape of a sum with a path, likewise.
-        path: its required path: a Polyline, or the points of an open path in order.
-        max_steps: the work bound, in steps of at most a microsecond with short numbers. By default
-            it grows with the certificate: 100 kB end within half a minute.
+        certificate: the output of `json.loads`, from any source: the certificate of a sweep, a
+            no-fit polygon, an inner fit, a sum with a path or a layout.
+        generatrix: the required polygon G: a Polygon, its vertices or a Region; by default any.
+        directrix: the required polygon D, in any of these forms.
+        part: the required part of an inner fit.
+        container: the required container of an inner fit.
+        shape: the required shape of a sum with a path.
+        path: the required path of the sum: a Polyline, or the points of an open path in order.
+        max_steps: the limit on the work, in steps of at most a microsecond if numbers are short.
+            The default grows with the certificate: 100 kB end within half a minute.
 
     Returns:
-        Verification. The reason is "proved" or names the wrong loop, edge, fit or piece. No
+        A Verification. The reason is "proved" or names the wrong loop, edge, fit or piece. No
         certificate makes `verify` raise an exception.
 
     Raises:
-        ExactSweepError: not a polygon or a path, and the message begins with its name; or
-            `max_steps` is not an int above 0.
+        ExactSweepError: a required shape is not a polygon or a path, and the message begins with
+            its name; or `max_steps` is not a positive int.
 
     Cost: O(k) for k pairs of an edge and a sum of pieces whose boxes meet; O(n log n) for n pieces
-        of a layout with O(n) near pairs.
+    of a layout with O(n) near pairs.
     Source: the docstring of `exactsweep.check.standalone`.
 
     >>> verify({"format": "exactsweep certificate"})
@@ -133,13 +133,13 @@ def _drop_repeated(points: Ring) -> Ring:
 
 
 def _outline(rings: list[Ring]) -> list[Ring]:
-    """Return rings in one form: the exterior, then holes in order."""
+    """Normalize rings, and sort the holes."""
     exterior, *holes = map(normalize, rings)
     return [exterior, *sorted(holes)]
 
 
 def normalize(points: Ring) -> Ring:
-    """Return a ring counter-clockwise, without straight angles, the least vertex first."""
+    """Convert a ring to counter-clockwise corners, starting at the least vertex."""
     points = [p for k, p in enumerate(points) if p != points[k - 1]]
     around = edges(points if area(edges(points)) > 0 else points[::-1])
     bent: list[Node] = [
