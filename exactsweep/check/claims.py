@@ -1,7 +1,7 @@
 """Certificates as claims for the checker in Coq.
 
-An answer of the extracted checker about a file rests on this module and `layout_claims`, which read
-the file. Vertices of pieces are multiplied by a common denominator.
+This module and `layout_claims` read the file, so answers of the extracted checker depend on them.
+Vertices of pieces are multiplied by a common denominator.
 """
 
 from __future__ import annotations
@@ -37,10 +37,9 @@ REGIONS = "list (Statements.ring * list Statements.ring)"
 
 
 def to_claim(certificate: Any) -> CoqClaim:
-    """Return the claim of a certificate of version 3 that is valid by the schema.
+    """Return the claim of a certificate of version 3 that conforms to the schema.
 
-    Raises:
-        TheoremError: the certificate is of another version, or not covered: see `claim_layout`.
+    Raises TheoremError for other versions and claims that are not covered; see `claim_layout`.
     """
     kinds = {"no_fit": _no_fit, "sweep": _sweep, "sum": _sum, "inner_fit": _inner_fit}
     kinds["layout"] = claim_layout
@@ -147,7 +146,7 @@ def _cut(unit: int, exterior: Any, holes: Any) -> tuple[str, Any]:
 
 
 def _triangles(loop: list[RationalPoint], unit: int) -> list[Any]:
-    """Cut ears from a loop; none if there is none, as where it meets itself."""
+    """Cut a loop into ears; return none if that fails, for example where the loop meets itself."""
     ((left,), found) = scale([loop], unit), []
 
     def turn(a: Any, b: Any, c: Any) -> int:

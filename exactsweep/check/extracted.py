@@ -1,6 +1,6 @@
-"""The checker in Coq, extracted to OCaml, on certificates.
+"""The checker proved in Coq, extracted to OCaml.
 
-Needs coqc, ocamlfind and zarith, once, to build it; `proof/README.md` lists what has to be trusted.
+The build needs coqc, ocamlfind and zarith; `proof/README.md` lists the trusted parts.
 """
 
 from __future__ import annotations
@@ -19,20 +19,15 @@ TOOLS = ("coqc", "coq_makefile", "make", "ocamlfind")
 
 
 def missing_tools() -> list[str]:
-    """Return the missing programs that are needed to build the checker."""
+    """Return the names of missing programs that the build needs."""
     return [tool for tool in TOOLS if shutil.which(tool) is None]
 
 
 def build_checker(proof: Path = PROOF) -> Path:
-    """Check the proofs, extract the checker and compile it, unless that is done; return its path.
+    """Build the checker from the folder of proofs if necessary, and return its path.
 
-    Args:
-        proof: the folder of the proofs.
-
-    Raises:
-        RuntimeError: a tool is missing, or the build fails.
-
-    Cost: two to five minutes the first time.
+    Raises RuntimeError if a tool is missing or the build fails. Cost: two to five minutes for the
+    first build.
     """
     found = proof / "extracted" / "checker"
     if not found.exists():
@@ -46,18 +41,10 @@ def build_checker(proof: Path = PROOF) -> Path:
 
 
 def ask(certificate: Any, checker: Path | None = None, seconds: float = 600) -> str:
-    """Return the answer of the extracted checker to a certificate.
+    """Run the extracted checker on a certificate; by default, build the checker if necessary.
 
-    Args:
-        certificate: of version 3.
-        checker: the program; by default it is built if necessary.
-        seconds: the time limit.
-
-    Returns:
-        "accepted", "rejected", "out of time", or "malformed" (claims without a theorem, too).
-
-    Raises:
-        RuntimeError: the checker cannot be built, or fails.
+    Returns "accepted", "rejected", "out of time", or "malformed", also for claims without a
+    theorem. Raises RuntimeError if the checker cannot be built or fails.
     """
     try:
         line = write_numbers(to_claim(certificate))
@@ -81,5 +68,5 @@ def ask(certificate: Any, checker: Path | None = None, seconds: float = 600) -> 
 
 
 def accept(certificates: Iterable[Any], checker: Path | None = None) -> list[bool]:
-    """Return whether the extracted checker accepts each of some certificates (see `ask`)."""
+    """Return for each certificate whether the extracted checker accepts it; see `ask`."""
     return [ask(certificate, checker) == "accepted" for certificate in certificates]

@@ -22,7 +22,7 @@ KINDS = {
     "outside": (5, "Overlapping"),
     "too close": (6, "Too_close"),
 }
-STEPS = 10  # 2^-1024 of a unit is the smallest displacement of a point of evidence
+STEPS = 10  # the smallest displacement of a point of evidence is 2^-1024 units
 Body = tuple[Figure, Fraction]
 PointPair = tuple[RationalPoint, RationalPoint]
 
@@ -32,15 +32,10 @@ def claim_fault(
 ) -> tuple[Constructor, PointPair]:
     """Return a fault as a term, and two points as evidence.
 
-    Args:
-        fault: the fault in the certificate.
-        index: the number of each part by its id.
-        bodies: figures and distances by the number in the certificate, -1 for the container.
-
-    Raises:
-        LookupError: the part, a body or the kind of fault is unknown.
-        TheoremError: the kind does not fit the bodies, or near the point of a fault "too close"
-            a body has only edges between winding numbers other than 1, or that cancel.
+    `index` maps the ids of parts to numbers, and `bodies` the numbers in the certificate to figures
+    and distances. Raises LookupError for an unknown part, body or kind of fault, and TheoremError
+    if the kind does not fit the bodies, or if all edges of a body near the point of a fault "too
+    close" cancel or separate winding numbers other than 1.
     """
     kind, at = fault["kind"], fault.get("point")
     point = (Fraction(at[0]), Fraction(at[1])) if at is not None else (Fraction(0), Fraction(0))
@@ -79,7 +74,7 @@ def _squared(p: RationalPoint, q: RationalPoint) -> Fraction:
 def _points(
     figure: Figure, z: RationalPoint, is_complement: bool
 ) -> Iterator[RationalPoint | None]:
-    """Yield points of a figure or its complement, ever closer to the nearest one to z."""
+    """Yield points of a figure or its complement that converge to the point nearest to z."""
     for k in range(STEPS):
         step = Fraction(1, 2 ** (2**k))
         found = [_rounded_point(*piece, z, is_complement, step) for piece in figure.rounded]
@@ -127,7 +122,7 @@ def _rounded_point(
     is_complement: bool,
     step: Fraction,
 ) -> RationalPoint:
-    """Return a point of a rounded piece or its complement, on the ray from its hull to z."""
+    """Return a point of a rounded piece or its complement on the ray from its hull to z."""
     sides = [*zip(points, points[1:] + points[:1], strict=True)]
     lefts = [(q[0] - p[0]) * (z[1] - p[1]) - (q[1] - p[1]) * (z[0] - p[0]) for p, q in sides]
     is_in_hull = len(points) > 2 and all(left >= 0 for left in lefts)

@@ -18,7 +18,7 @@ from exactsweep.check.terms import (
 
 
 class Figure(NamedTuple):
-    """A shape: its rings, or else its rounded pieces (points and radius), and its error."""
+    """A shape, given by its rings or its rounded pieces (points and radius), and its error."""
 
     outline: list[list[RationalPoint]]
     rounded: list[tuple[list[RationalPoint], Fraction]]
@@ -42,7 +42,7 @@ class Figure(NamedTuple):
 
 
 class PlacedPart(NamedTuple):
-    """A placement: its part, motion, rotation error, and whether its rotation is allowed."""
+    """A placement: its part, its motion, its rotation error, whether its rotation is allowed."""
 
     kind: int
     motion: Any
@@ -62,11 +62,7 @@ def record(fields: dict[str, Any]) -> Record:
 
 
 def read_figure(item: Any) -> Figure:
-    """Read a body.
-
-    Raises:
-        TheoremError: it has rings and pieces, or a piece that is not convex.
-    """
+    """Read a body; raise TheoremError if it has rings and pieces, or a piece that is not convex."""
     error = Fraction(item.get("error") or 0)
     if item.get("pieces") is None:
         return Figure(read_rings(item), [], error)
@@ -80,7 +76,7 @@ def read_figure(item: Any) -> Figure:
 
 
 def read_rotation(turn: Any) -> Any:
-    """Return cosine and sine, or degrees where these are irrational."""
+    """Return cosine and sine, or degrees if these are irrational."""
     if type(turn) is list:
         return Fraction(turn[0]), Fraction(turn[1])
     degrees = Fraction("0" if turn is None else turn) % 360
@@ -88,11 +84,7 @@ def read_rotation(turn: Any) -> Any:
 
 
 def read_move(item: Any, turn: Any, index: Any, drawn: list[Figure], allowed: Any) -> PlacedPart:
-    """Read a placement and its entry of turns.
-
-    Raises:
-        TheoremError: the entry is not the rotation of the placement.
-    """
+    """Read a placement; raise TheoremError if its entry in `turns` is another rotation."""
     k, asked, to = index[item["part"]], read_rotation(item.get("turn")), read_rotation(turn)
     slack, is_mirrored = Fraction(0), item.get("mirrored") is True
     turns = allowed[k][is_mirrored]

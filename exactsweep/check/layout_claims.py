@@ -56,7 +56,7 @@ class _LayoutTerms:
         self.obstacles = [*zip(map(read_figure, defects), far, strict=True)]
 
     def term(self, slacks: list[Fraction]) -> Record:
-        """Return the layout as a term; rational stand-ins of allowed rotations are allowed."""
+        """Return the layout as a term; rational replacements of allowed rotations are allowed."""
         moves = self.moves
         used = [[m for m in moves if m.kind == k and m.is_allowed] for k in range(len(self.parts))]
         kinds = zip(self.parts, self.drawn, self.allowed, used, strict=True)
@@ -71,10 +71,9 @@ class _LayoutTerms:
 def claim_layout(c: Any) -> CoqClaim:
     """Return the claim of a certificate of a layout, valid or with faults.
 
-    Raises:
-        TheoremError: a valid layout has a rotation that is not allowed, or a rounded container
-            with a smaller radius than the errors, radii and margin of its parts; two parts have one
-            id; or a rounded piece is not convex.
+    Raises TheoremError if a valid layout has a rotation that is not allowed, or a rounded container
+    whose radius is less than the errors, radii and margin of its parts; if two parts have the same
+    id; or if a rounded piece is not convex.
     """
     found = _LayoutTerms(c)
     return _valid(found, c["proof"]) if c["valid"] is True else _faulty(found, c["faults"])

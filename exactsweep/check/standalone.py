@@ -1,17 +1,17 @@
-"""Checker of certificates, version 3: one file to be read, with the standard library only.
+"""Checker of certificates, version 3: one readable file that needs only the standard library.
 
 `python standalone.py FILE` prints "proved: ..." or "not proved: ..."; CERTIFICATES.md defines the
 format. A point (x, y, w) of integers, w > 0, is (x/w, y/w); it is left of a line (a, b, c) if
 a x + b y + c w > 0.
 
-1. Shapes. The winding number of rings at z is the number of edges strictly right of z, upward ones
-   counted as 1, downward ones as -1; an edge contains its lower end, not its upper one. It is the
-   same at z + (d, d^2) for all small d > 0. A shape is the set of points of winding number 1. So
-   two shapes have a common point if and only if they overlap: their interiors have one.
+1. Shapes. The winding number of rings at z counts the edges strictly right of z, upward ones as 1,
+   downward ones as -1; an edge contains its lower end, but not its upper one. It is the same at
+   z + (d, d^2) for all small d > 0. A shape is the set of points of winding number 1. So two shapes
+   have a common point if and only if they overlap: their interiors have one.
 2. Pieces, convex and counter-clockwise, make up a shape if on every line, at every point, starts
-   less ends of edges are the same for pieces and rings (`cancel`), and any two lie on opposite
-   sides of a line (`apart`). Then as many edges of pieces as of rings are right of any z, so the
-   pieces that contain z add up to the winding number, and they are at most one.
+   minus ends of edges are equal for pieces and rings (`cancel`), and any two pieces lie on opposite
+   sides of a line (`apart`). Then the edges of pieces and of rings right of any z have the same
+   count, so the winding number at z is the number of pieces that contain z, at most one.
 3. The lemma. Let O be a union of open convex polygons, the sums; U the union of the listed ones; L
    the edges of closed loops, O on their left, and fits, which are segments or points; W the winding
    number of all loops. Suppose (`boundary`) that
@@ -23,27 +23,28 @@ a x + b y + c w > 0.
    (e) two edges or fits have at most one common point.
    Then O = U, L is the boundary of O, and off L, W is 1 on O and 0 elsewhere.
    Proof. By (a), W is constant on each sum, so by (d) it is 1 on O. Let t be in neither U nor L,
-   which together are closed by (b). Perturb t so that the horizontal ray to its right avoids ends
-   and crossings. If the ray misses L, W is 0 at t. Else let y be its first point of L, on e. Before
-   y the ray misses U: its first limit of points of U would be on a side, so in U or L by (b), but
-   is in neither. So e is no fit and does not go up: by (c), a sum would be on its left. So e goes
-   down, W is 1 just behind it by (c), and 0 at t. As W is 1 on O, O is in U or L, by (a) in U.
-   Points of L are limits of O by (c), not in O by (a); all other limits of U are in U.
-4. `no_fit`: by 1 and 2, D and G + t overlap if and only if t is in the interior of D_i + H_j, for
-   pieces D_i of D and H_j of H = -G: the sums. If D_1 and D_2 have a common vertex p, D_1 + H_j and
+   whose union is closed by (b). Perturb t so that the horizontal ray to its right avoids ends and
+   crossings. If the ray misses L, W is 0 at t. Else let y be its first point of L, on e. Before y
+   the ray misses U: the first limit point of U on it would be on a side, so in U or L by (b), but
+   is in neither. So e is not a fit and does not go up: by (c), a sum would be on its left. So e
+   goes down, W is 1 just behind it by (c), and 0 at t. As W is 1 on O, O is in U or L, by (a) in
+   U. Points of L are limits of O by (c), not in O by (a); all other limits of U are in U.
+4. `no_fit`: by 1 and 2, D and G + t overlap if and only if t is in a sum, the interior of D_i +
+   H_j, for pieces D_i of D and H_j of H = -G. If D_1 and D_2 have a common vertex p, D_1 + H_j and
    D_2 + H_j have p + int H_j in common, so (d) is checked once for pieces connected by vertices.
-   `sweep`: G covers along T, up to closure, the sums of edges of T and pieces of G; those of one
-   piece are connected. Slits are fits that are no part of the answer. `sum`: likewise, on any path.
-5. `inner_fit`: D is a frame less the container, B the rectangle of all t at which G + t is in the
+   `sweep`: along T, G covers, up to closure, the sums of edges of T and pieces of G; those of one
+   piece are connected. Slits are fits that are not part of the answer. `sum`: the same for any
+   path.
+5. `inner_fit`: D is a frame minus the container, B the rectangle of all t at which G + t is in the
    frame. L is in B; the half-planes around B count as listed sums, with an edge of B as their side.
-   In the proof read W + 1 for W; every ray meets a half-plane, so L before it.
-6. `layout`: a rounded piece is all points at distance r or less from a convex hull, r = 0 for the
+   In the proof, read W + 1 for W; every ray meets a half-plane, and so L before it.
+6. `layout`: a rounded piece is the set of points within distance r of a convex hull; r = 0 for the
    pieces of 2. For vertices a and b of two pieces, a normal n with gap = min n.b - max n.a >= 0 and
    gap^2 >= (s + r_a + r_b)^2 |n|^2 proves that they are s apart and do not overlap. Errors add to
    s; a rotation with error d displaces a point at distance r from the origin by at most d r. The
-   container, as a frame less the container, and defects are shapes like parts; in a rounded
+   container, as a frame minus the container, and defects are shapes like parts; in a rounded
    container, depth is concave, so vertices decide. A point deeper in two bodies than their errors
-   proves that they overlap; one nearer to both than (s - errors) / 2, that they are too close.
+   proves that they overlap; a point within (s - errors) / 2 of both, that they are too close.
 """
 
 from __future__ import annotations
@@ -80,7 +81,7 @@ Span = tuple[Rational, bool, Rational]
 
 
 class Refused(Exception):  # noqa: N818
-    """The first reason why a certificate is not proved, with a point if there is one."""
+    """The first reason why a certificate is not proved, with a point if available."""
 
     def __init__(self, reason: str, *points: Point) -> None:
         self.witness = place(points[0]) if points else None
@@ -96,7 +97,7 @@ def need(condition: Any, reason: str, *points: Point) -> None:
 
 
 class Work:
-    """The remaining steps; one takes a microsecond, or more if numbers are long."""
+    """The remaining steps; a step takes a microsecond, and long numbers cost several."""
 
     def __init__(self, certificate: Any, max_steps: float | None) -> None:
         try:
@@ -107,7 +108,7 @@ class Work:
         self.measure([10 ** max(map(len, re.findall("[0-9]+", text)), default=0)])
 
     def measure(self, numbers: Iterable[int]) -> None:
-        """Raise the price of steps for the longest of numbers, as measured."""
+        """Raise the cost of steps for the longest number, as measured."""
         bits = max(0, max(map(int.bit_length, numbers)) - 60)
         self.price = max(self.price, 1 + bits / 35 + bits**2 / 65000)
 
@@ -150,7 +151,7 @@ def number(name: str, item: Any, is_signed: bool = True) -> Rational:
 
 
 def node(x: Rational, y: Rational) -> Point:
-    """Return a point by its coordinates."""
+    """Return the point with the given coordinates."""
     w = lcm(x.denominator, y.denominator)
     return int(x * w), int(y * w), w
 
@@ -177,7 +178,7 @@ def shape(name: str, item: Any) -> list[Ring]:
 
 
 def rectangle(name: str, ends: list[Rational]) -> Ring:
-    """Return the corners of a rectangle from the lower left one on."""
+    """Return the corners of a rectangle, starting at the lower left."""
     left, low, right, high = ends
     need(left < right and low < high, f"{name}: not left, bottom, right, top of a rectangle")
     return [node(left, low), node(right, low), node(right, high), node(left, high)]
@@ -210,7 +211,7 @@ def add(p: Point, q: Point) -> Point:
 
 
 def level(points: Ring, work: Work) -> Ring:
-    """Give points one denominator."""
+    """Bring points to a common denominator."""
     unit = lcm(*(w for *_, w in points))
     found = [(x * (unit // w), y * (unit // w), unit) for x, y, w in points]
     work.measure(chain(*found))
@@ -230,7 +231,7 @@ def area(around: Iterable[Edge]) -> Fraction:
 
 
 def winding(around: Iterable[Edge], z: Point) -> int:
-    """Return the winding number: upward less downward edges strictly right of a point."""
+    """Return the winding number: upward minus downward edges strictly right of a point."""
     found = 0
     for p, q, line in around:
         up = (p[1] * z[2] <= z[1] * p[2]) - (q[1] * z[2] <= z[1] * q[2])
@@ -246,14 +247,14 @@ def scale_of(points: Iterable[Point]) -> int:
 
 
 def box(points: Sequence[Point], scale: int, reach: Rational = 0) -> tuple[int, ...]:
-    """Return left, -right, bottom, -top of a box, in units, rounded down: it may only grow."""
+    """Return left, -right, bottom, -top of a box, in units, rounded down so that it only grows."""
     at = ((x * scale, y * scale, w) for x, y, w in points)
     ends = zip(*((x // w, -x // w, y // w, -y // w) for x, y, w in at), strict=True)
     return tuple(min(end) - -(-reach * scale // 1) for end in ends)
 
 
 def tree(boxes: list[tuple[Any, Any]]) -> Any:
-    """Build a tree of boxes with items: (box, size, two trees or an item)."""
+    """Build a tree of boxes with items: (box, size, two subtrees or an item)."""
     if len(boxes) < 2:
         return (boxes[0][0], -1, boxes[0][1]) if boxes else None
     around, half = tuple(map(min, zip(*(e for e, _ in boxes), strict=True))), len(boxes) // 2
@@ -263,12 +264,12 @@ def tree(boxes: list[tuple[Any, Any]]) -> Any:
 
 
 def index(lists: Iterable[Sequence[Point]], scale: int) -> Any:
-    """Build a tree of the numbers of lists of points."""
+    """Build a tree of the boxes of lists of points, with their numbers as items."""
     return tree([(box(points, scale), k) for k, points in enumerate(lists)])
 
 
 def near(work: Work, a: Any, b: Any, c: Any = NOWHERE, touch: int = 0) -> Iterator[Any]:
-    """Yield items of trees whose boxes add up to one with the origin inside, or if touch, on it."""
+    """Yield items whose boxes have a sum around the origin, or with `touch`, through it."""
     stack = [(a, b, c)] if a and b and c else []
     while stack:
         found = a, b, c = stack.pop()
@@ -289,7 +290,7 @@ def near(work: Work, a: Any, b: Any, c: Any = NOWHERE, touch: int = 0) -> Iterat
 
 
 def is_convex(points: Ring) -> bool:
-    """Return whether a ring turns left at every vertex and once in all."""
+    """Decide whether a ring turns left at every vertex, and once in total."""
     normals = [line[:2] for *_, line in edges(points)]
     pairs = list(zip([normals[-1], *normals[:-1]], normals, strict=True))
     turns_left = all(a * d > b * c for (a, b), (c, d) in pairs)
@@ -297,14 +298,14 @@ def is_convex(points: Ring) -> bool:
 
 
 def canonical(line: Point) -> Point:
-    """Return a line, whatever its direction, in lowest terms."""
+    """Return a line in lowest terms, regardless of its direction."""
     a, b, c = line
     d = gcd(a, b, c) * (1 if (a, b) > (0, 0) else -1) or 1
     return a // d, b // d, c // d
 
 
 def cancel(name: str, pieces: list[Ring], rings: list[Ring]) -> None:
-    """Require that on every line edge starts less ends agree for pieces and rings."""
+    """Require that starts minus ends of edges agree for pieces and rings on every line."""
     left = Counter[tuple[Point, Point]]()
     for p, q, line in chain(*map(edges, pieces + [points[::-1] for points in rings])):
         left.update({(canonical(line), p): 1, (canonical(line), q): -1})
@@ -313,7 +314,7 @@ def cancel(name: str, pieces: list[Ring], rings: list[Ring]) -> None:
 
 
 def apart(one: list[Edge], other: list[Edge]) -> bool:
-    """Return whether an edge of one of two pieces has no point of the other on its left."""
+    """Decide whether an edge of one of two pieces has no point of the other on its left."""
     lines = [(line, b) for a, b in ((one, other), (other, one)) for *_, line in a]
     return any(all(side(line, p) <= 0 for p, *_ in b) for line, b in lines)
 
@@ -353,7 +354,7 @@ def groups(pieces: list[Ring], work: Work) -> list[Point]:
 
 
 class Known(NamedTuple):
-    """A known edge: of a loop, or a fit, without one."""
+    """A known edge: an edge of a loop, or a fit, which has no loop."""
 
     start: Point
     end: Point
@@ -377,7 +378,7 @@ def loops(name: str, item: Any) -> list[Known]:
 
 
 def fits(name: str, item: Any) -> list[Known]:
-    """Read a list of fits; one of a single point has a horizontal line."""
+    """Read a list of fits; a single point gets a horizontal line."""
     found = list[Known]()
     for k, fit in enumerate(items(name, item)):
         p, q, line = edges(read_points(name, fit, 2))[0]
@@ -386,7 +387,7 @@ def fits(name: str, item: Any) -> list[Known]:
 
 
 class Sums:
-    """The interiors of D_i + H_j, numbered i n + j for n pieces H_j, and then half-planes."""
+    """The interiors of D_i + H_j, numbered i n + j for n pieces H_j, followed by half-planes."""
 
     def __init__(self, name: str, d: list[Ring], h: list[Ring], work: Work, beyond: Any = ()):
         self.work, self.count, self.columns, self.beyond = work, len(d) * len(h), len(h), beyond
@@ -411,7 +412,7 @@ class Sums:
 
 
 def from_lowest(piece: Ring, work: Work) -> list[Edge]:
-    """Return the edges of a piece from its lowest vertex on, the left one of two."""
+    """Return the edges of a piece, starting at its leftmost lowest vertex."""
     points = level(piece, work)
     work.spend(len(points))
     k = points.index(min(points, key=lambda p: (p[1], p[0])))
@@ -419,7 +420,7 @@ def from_lowest(piece: Ring, work: Work) -> list[Edge]:
 
 
 def add_pieces(one: list[Edge], other: list[Edge]) -> list[Edge]:
-    """Merge the edges of two pieces, from their lowest points on, by direction."""
+    """Merge the edges of two pieces, starting at their lowest points, by direction."""
     i, j, found, lines = 0, 0, list[Point](), list[Point]()
     while i < len(one) or j < len(other):
         (p, _, (a, b, _)), (q, _, (c, d, _)) = one[i % len(one)], other[j % len(other)]
@@ -433,9 +434,9 @@ def add_pieces(one: list[Edge], other: list[Edge]) -> list[Edge]:
 
 
 def clip(sides: Iterable[Any], a: Point, b: Point, closed: bool = False) -> Span | None:
-    """Return the interval of parameters, 0 at a and 1 at b, that is left of all sides, or None.
+    """Return the interval of parameters, 0 at a and 1 at b, left of all sides, or None.
 
-    An open one that contains 0 or 1 extends beyond it, to -1 or 2; a closed one does not.
+    An open interval that contains 0 or 1 extends to -1 or 2; a closed one does not.
     """
     (x, y, w), (u, v, z), least = a, b, 1 - closed
     if w != z:
@@ -462,7 +463,7 @@ def clip_on(edge: Sequence[Any], a: Point, b: Point) -> Span | None:
 
 
 def covers(spans: Iterable[Span | None]) -> bool:
-    """Return whether open and closed intervals cover all parameters from 0 to 1."""
+    """Decide whether open and closed intervals cover all parameters from 0 to 1."""
     reach: tuple[Rational, bool] = (0, False)
     for low, is_open, high in sorted(filter(None, spans)):
         if low < reach[0] or (low == reach[0] and (reach[1] or not is_open)):
@@ -600,7 +601,7 @@ def read_region(name: str, item: Any, work: Work) -> list[Known]:
     exterior, holes = fields(name, item, "exterior holes")
     inner = [loop(f"{name}, hole {k}", e) for k, e in enumerate(items(name, holes))]
     own = [*loop(f"{name}, exterior", exterior, -1), *chain(*inner)]
-    for hole in inner:  # a point on an edge that goes down counts as inside
+    for hole in inner:  # a point on a downward edge counts as inside
         x, y, w = next(add(e.start, e.end) for e in hole if e.line[0] > 0)
         wind(f"{hole[0].loop}, in its exterior alone", own, [(x, y, 2 * w)], 0, work)
     return own
@@ -637,7 +638,7 @@ def read_rotation(name: str, item: Any) -> Any:
 
 
 def rotation_error(to: Any, degrees: Rational) -> Rational:
-    """Bound |cos - cos'| + |sin - sin'| of a rotation and one by degrees, by the power series."""
+    """Bound |cos - cos'| + |sin - sin'| for a rotation and an angle by the power series."""
     unit, sums, term, k = 10**110, [0, 0, 0, 0], 10**110, 0
     angle = int(Fraction(PI) * degrees / 180 * unit)
     while term:
@@ -655,7 +656,7 @@ def move(points: Ring, to: Any, mirrored: bool, by: Point) -> Ring:
 
 
 def gap(work: Work, one: Ring, other: Ring, normal: Sequence[int], distance: Rational) -> bool:
-    """Return whether a normal proves that two pieces are a distance apart."""
+    """Decide whether a normal proves that two pieces are a distance apart."""
     (x, y), w, v, (n, m) = normal, one[0][2], other[0][2], distance.as_integer_ratio()
     work.spend(7 + len(one) + len(other))
     found = min(x * s + y * t for s, t, _ in other) * w - max(x * s + y * t for s, t, _ in one) * v
@@ -664,7 +665,7 @@ def gap(work: Work, one: Ring, other: Ring, normal: Sequence[int], distance: Rat
 
 
 def outline(around: Sequence[Edge]) -> list[Any]:
-    """Return the segments that remain of edges less opposite ones, or all edges if none do."""
+    """Cancel opposite edges; return the remaining segments, or all edges if none remain."""
     sides, found = defaultdict[Any, Counter[Any]](Counter), list[Any]()
     for p, q, line in around:
         sides[canonical(line)].update({place(p): 1, place(q): -1})
@@ -675,7 +676,7 @@ def outline(around: Sequence[Edge]) -> list[Any]:
 
 
 def is_inside(work: Work, body: Body, p: Point, depth: Rational) -> bool:
-    """Return whether a point is deeper in a body than a depth, which may be negative."""
+    """Decide whether a point is deeper in a body than a depth, which may be negative."""
     found, (x, y) = False, place(p)
     for rings, radius in body.solids:
         around, squared, more = [*chain(*map(edges, rings))], list[Rational](), depth - radius
@@ -690,9 +691,9 @@ def is_inside(work: Work, body: Body, p: Point, depth: Rational) -> bool:
 
 
 class Layout:
-    """A layout and its evidence: parts by id, each with its rules and the rotations used; bodies.
+    """A layout and its evidence: parts by id, with their rules and the rotations used; and bodies.
 
-    Bodies are placements, then obstacles, the last one first: -1 is the container.
+    Bodies are placements, followed by obstacles in reverse order: -1 is the container.
     """
 
     def __init__(self, c: Any, work: Work) -> None:
@@ -728,7 +729,7 @@ class Layout:
             self.bodies.append(self.read_body(name, form, own, far))
 
     def read_body(self, name: str, form: list[Any], cut: Any, distance: Rational) -> Body:
-        """Read a shape or rounded pieces; return the complement of a container."""
+        """Read a shape or rounded pieces, or the complement of a container."""
         exterior, holes, given, error = form
         is_outside, found = name == "container", list[tuple[list[Ring], Rational]]()
         if given is None:
@@ -891,7 +892,7 @@ def main(arguments: list[str]) -> int:
     """Print what a certificate proves; return the exit code."""
     try:
         print(f"proved: {prove(load(Path(*arguments).read_text(encoding='utf-8-sig')))}")
-    except Exception as error:  # nothing is proved, whatever happens
+    except Exception as error:  # a crash proves nothing
         print(f"not proved: {error}")
         return 1
     return 0

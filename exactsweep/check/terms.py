@@ -1,7 +1,7 @@
-"""Terms for Coq: the values in a claim, and their form as plain numbers.
+"""Terms for Coq: the values in a claim, and their conversion to plain numbers.
 
 A term is an int (an integer in Coq), a Fraction (a rational), a `Nat`, a bool, a list, a tuple, a
-`Record`, a `Constructor`, or a `Some` or None.
+`Record`, a `Constructor`, a `Some` or None.
 """
 
 from __future__ import annotations
@@ -28,7 +28,7 @@ class Nat(int):
 
 
 class Some(NamedTuple):
-    """A value that may be missing."""
+    """An optional value that is present."""
 
     value: Any
 
@@ -40,7 +40,7 @@ class Record(NamedTuple):
 
 
 class Constructor(NamedTuple):
-    """A constructor: its number in the driver, its name in Coq, and its arguments."""
+    """A constructor: its number in the driver, its Coq name, and its arguments."""
 
     number: int
     name: str
@@ -50,8 +50,8 @@ class Constructor(NamedTuple):
 class CoqClaim(NamedTuple):
     """A claim for the checker in Coq.
 
-    `statement` are the arguments of the claim, by name and type; `evidence` the others, of which
-    no property is used.
+    `statement` contains the arguments of the claim by name and type, `evidence` the others, which
+    no theorem trusts.
     """
 
     kind: str
@@ -60,7 +60,7 @@ class CoqClaim(NamedTuple):
 
 
 def write_numbers(claim: CoqClaim) -> str:
-    """Return a claim as words that the extracted checker reads."""
+    """Write a claim as the input of the extracted checker."""
     terms = [term for part in claim[1:] for _, term in part.values()]
     return " ".join([claim.kind, *(word for term in terms for word in _words(term))])
 
@@ -119,5 +119,5 @@ def find_unit(*rings: Iterable[RationalPoint]) -> int:
 
 
 def scale(pieces: list[list[RationalPoint]], unit: int) -> list[Any]:
-    """Return pieces as multiples of 1/unit."""
+    """Convert pieces to integer multiples of 1/unit."""
     return [[(int(x * unit), int(y * unit)) for x, y in ring] for ring in pieces]

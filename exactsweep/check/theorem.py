@@ -1,7 +1,7 @@
-"""A certificate as a theorem: a file for Coq, proved by soundness and computation.
+"""Certificates as Coq theorems, proved by soundness and computation.
 
-The first half of the file is the statement, with the numbers of the certificate; the second half is
-the evidence, and a proof of one line. `proof/README.md` says how to check it.
+The first half of a file is the statement, with the numbers of the certificate; the second half is
+the evidence, and a proof of one line. `proof/README.md` explains how to check it.
 """
 
 from __future__ import annotations
@@ -46,18 +46,10 @@ TITLES = {
 
 
 def write_theorem(certificate: Any, name: str = "certificate") -> str:
-    """Return a file for Coq with the claim of a certificate as a theorem.
+    """Write a certificate of version 3 as the theorem of a Coq file, given without its suffix.
 
-    Args:
-        certificate: a certificate of version 3, valid by the schema.
-        name: the name of the file, without its ending.
-
-    Returns:
-        The text of the file. Coq accepts it if and only if the checker in Coq accepts the
-        certificate.
-
-    Raises:
-        TheoremError: the certificate is of another version, or its claim is not covered.
+    Coq accepts the file if and only if the checker in Coq accepts the certificate, which must
+    conform to the schema. Raises TheoremError for other versions and claims that are not covered.
     """
     claim = to_claim(certificate)
     stated, sound, check = CLAIMS[claim.kind]
@@ -85,7 +77,7 @@ def _define(terms: dict[str, tuple[str, Any]]) -> list[str]:
 
 
 def _coq(term: Any) -> str:
-    """Return a term as Coq reads it: integers and rationals in the scopes that are open."""
+    """Format a term in Coq syntax, with integers and rationals in the open scopes."""
     if isinstance(term, Some):
         return f"Some {_coq(term.value)}"
     if isinstance(term, Constructor):
