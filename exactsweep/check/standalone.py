@@ -33,8 +33,7 @@ a x + b y + c w > 0.
    H_j, for pieces D_i of D and H_j of H = -G. If D_1 and D_2 have a common vertex p, D_1 + H_j and
    D_2 + H_j have p + int H_j in common, so (d) is checked once for pieces connected by vertices.
    `sweep`: along T, G covers, up to closure, the sums of edges of T and pieces of G; those of one
-   piece are connected. Slits are fits that are not part of the answer. `sum`: the same for any
-   path.
+   piece are connected. Slits are fits outside the answer. `sum`: the same for any path.
 5. `inner_fit`: D is a frame minus the container, B the rectangle of all t at which G + t is in the
    frame. L is in B; the half-planes around B count as listed sums, with an edge of B as their side.
    In the proof, read W + 1 for W; every ray meets a half-plane, and so L before it.
