@@ -68,7 +68,7 @@ def rotate_parts(parts: Sequence[Part], degrees: Sequence[int | str]) -> list[Pa
             `Turn.near` of `exactsweep.geometry.turn`.
 
     Returns:
-        list of Part; names of rotated parts are like "part@90".
+        list of Part; rotated parts are named like "part@90".
 
     Example:
         >>> from exactsweep import Polygon

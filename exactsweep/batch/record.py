@@ -13,7 +13,7 @@ from exactsweep.text.results import direction_to_json
 
 Quantities = Literal["trajectory", "loops", "areas", "nfp"]
 QUANTITIES: tuple[Quantities, ...] = ("trajectory", "loops", "areas", "nfp")
-"""What a batch computes: trajectories only, all loops and areas, areas only, or no-fit polygons
+"""What a batch can compute: trajectories only, all loops and areas, areas only, or no-fit polygons
 with holes and exact fits."""
 
 COLUMNS = {

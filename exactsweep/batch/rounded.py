@@ -12,7 +12,7 @@ from exactsweep.geometry.region import Region
 
 
 def round_values(values: Mapping[str, Any], rounding: Rounding) -> dict[str, Any]:
-    """Round the columns of a record; areas remain those of the exact loops, rounded.
+    """Round the columns of a record; areas are computed from the exact loops.
 
     Outward, the trajectory, the outer loop and the exterior grow, all other loops shrink or vanish,
     and exact fits that would move are dropped.

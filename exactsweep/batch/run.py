@@ -64,7 +64,7 @@ def run(
         BatchError: the file cannot be written, has records of another batch, or another batch is
             writing to it; or no scheduler answers.
 
-    Cost: that of the sweeps; memory for a few hundred pairs, and for the parts in each process.
+    Cost: the sweeps; memory for a few hundred pairs, and for the parts in each process.
     """
     with Output(output, job, restart=restart) as records:
         resumed = records.done

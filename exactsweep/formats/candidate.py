@@ -222,7 +222,7 @@ class Candidate(NamedTuple):
         return self.region() if self.holes() else self.polygon()
 
     def _short_vertices(self) -> Sequence[Point]:
-        """Read the vertices; reject numbers beyond `max_digits`, which transformations produce."""
+        """Read the vertices; reject numbers beyond `max_digits`, as transformations can yield."""
         points = self.vertices()
         numbers = (n for c in chain.from_iterable(points) for n in c.as_integer_ratio())
         longest = max(map(abs, numbers), default=0)

@@ -28,7 +28,7 @@ def parse_json(text: str) -> object:
 
 
 def parse_certificate(text: str) -> object:
-    """Parse a certificate, whose JSON integers are indices."""
+    """Parse a certificate; its integers become ints."""
     return _parse(text, None)
 
 
@@ -92,7 +92,7 @@ def _parse(text: str, number: Callable[[str], object] | None) -> object:
 def _without_repeats(pairs: list[tuple[str, object]]) -> dict[str, object]:
     found: dict[str, object] = {}
     for name, value in pairs:
-        # JSON leaves the meaning undefined.
+        # JSON does not define the meaning of duplicate keys.
         if name in found:
             raise FormatError(f"duplicate key {quote(name)}")
         found[name] = value

@@ -148,7 +148,7 @@ def _split_files(path: str) -> Iterator[tuple[str, str]]:
 
 
 def make_unique(names: Sequence[str]) -> list[str]:
-    """Append to repeated names the least number that makes them unique.
+    """Make repeated names unique by appending the least unused number.
 
     >>> make_unique(["cut", "cut", "cut-2", "cut"])
     ['cut', 'cut-3', 'cut-2', 'cut-4']

@@ -18,9 +18,9 @@ _RINGS = ("vertices", "exterior", "points", "polygon")
 def read_exact(document: object, path: str = "$") -> list[Candidate]:
     """Find the polygons of an exact JSON document.
 
-    It is a polygon: a list of vertices, or an object with a list as "vertices", "points" or
-    "polygon", or as "exterior" with lists as "holes", and optionally with "id" and "error"; a list
-    of polygons, or an object with one as "polygons"; or a result, with "trajectory", "inner",
+    The document is a polygon: a list of vertices, or an object with a list as "vertices", "points"
+    or "polygon", or as "exterior" with lists as "holes", and optionally with "id" and "error"; a
+    list of polygons, or an object with one as "polygons"; or a result, with "trajectory", "inner",
     "outer" and "unswept", or with "regions".
     """
     node = JsonNode(document, path)

@@ -16,7 +16,7 @@ from exactsweep.numbers.limits import get_max_bytes
 from exactsweep.numbers.number import to_fraction
 
 MAX_LINES = 20_000
-"""Maximum number of lines of one curve."""
+"""Maximum number of chords per curve."""
 
 MAX_COPIES = 20_000
 """Maximum number of elements that blocks or uses draw, since small files can draw many."""

@@ -256,11 +256,11 @@ def _chains(corners: Sequence[Point]) -> list[list[Point]]:
 def _extremes(v: Point, e: Vertex, f: Vertex) -> list[Point]:
     """Return the corners of the cell of v that are extreme between the normals of e and f."""
     first = _quadrant(e[1], -e[0])
-    # The quadrant that ends at the other normal is the mirror image of a first one.
+    # The quadrant that ends at the other normal, found by reflection.
     last = -_quadrant(-f[0], f[1]) % 4
     corners = [(ceil, ceil), (floor, ceil), (floor, floor), (ceil, floor)]
     count = (last - first) % 4 + 1
-    # Along an axis without a turn, either corner will do.
+    # On a straight axis-parallel line, either corner will do.
     turns = [corners[(first + k) % 4] for k in range(count if count < 4 else 1)]
     return [Point(Fraction(x(v.x)), Fraction(y(v.y))) for x, y in turns]
 

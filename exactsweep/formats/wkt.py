@@ -42,8 +42,8 @@ def parse_wkt(text: str, notes: dict[str, None] | None = None) -> list[Candidate
     reader = _Reader(text)
     found = [*allow_faults(reader.outlines())]
     if reader.opened and notes is not None:
-        rings = count(len(reader.opened), "ring")
-        notes[f"{rings} closed that did not end where it began, first {reader.opened[0]}"] = None
+        rings = count(len(reader.opened), "open ring")
+        notes[f"{rings} closed, first {reader.opened[0]}"] = None
     if not found:
         raise FormatError("contains no polygon")
     return found if len(found) > 1 else [found[0]._replace(place="")]

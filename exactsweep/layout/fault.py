@@ -100,7 +100,7 @@ class Fault:
         result. The move is shortest if no distance is required and all rotations are rational;
         otherwise see `exactsweep.layout.repair`.
 
-        Cost: that of `find_repair`, on first access.
+        Cost: as for `find_repair`, on first access.
         """
         if self._board is None or self.kind not in _REPAIRED:
             return None
@@ -114,7 +114,7 @@ class Fault:
         be off by the bound; for rounded parts it is rounded up, and only an upper bound if one of
         them is not convex.
 
-        Cost: that of `find_depth_move`, on first access.
+        Cost: as for `find_depth_move`, on first access.
         """
         if self._board is None or self.kind not in ("overlap", "outside"):
             return None
@@ -166,7 +166,7 @@ class Fault:
 
         The proof holds for the true rotations and curves.
 
-        Cost: that of `depth_squared` for overlaps.
+        Cost: as for `depth_squared` for overlaps.
         """
         room = depth - self.bound
         if room < 0 or self._board is None:

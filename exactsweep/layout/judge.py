@@ -127,7 +127,7 @@ class Judgement:
         Overlaps and contacts have distance 0. Irrational rotations and flattened curves cause
         errors; see `Layout.greatest_error`.
 
-        Cost: that of `find_nearest_pair`.
+        Cost: as for `find_nearest_pair`.
         """
         for fault in self.faults:
             if fault.kind == "overlap":

@@ -37,8 +37,8 @@ _TINY = Fraction(1, 10**6)
 def find_depth_move(board: Board, placements: Sequence[int], bits: int) -> Point | None:
     """Find the shortest move of the last placement without overlap, ignoring errors.
 
-    It frees the placement from the other one; a single placement, from the outside and the defects.
-    None if it fits nowhere at its rotation.
+    A single placement must avoid the outside and the defects; None if it fits nowhere at its
+    rotation.
     """
     if not board.is_rounded(placements):
         return _find_move(board, placements, bits, Fraction(0))

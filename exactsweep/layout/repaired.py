@@ -187,7 +187,7 @@ def _aim(at: tuple[int, ...], x: Fraction, y: Fraction, length: Fraction) -> _Co
 
 
 def _add_moves(one: _Condition, moves: dict[int, Point], more: Fraction) -> _Condition:
-    """Convert a condition after some moves to one on total moves, with more room."""
+    """Restate a condition on further moves for total moves, with more room."""
     x, y = moves.get(one.placements[-1], ORIGIN)
     if len(one.placements) > 1:
         before = moves.get(one.placements[0], ORIGIN)

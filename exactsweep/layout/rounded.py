@@ -1,7 +1,7 @@
 """Rounded pieces: all points within a radius of a convex hull.
 
-The hull of a disc is a point, of a slot a segment, of a rounded rectangle a rectangle. Let A and B
-be hulls with radii r and s, r + s > 0, and let d be the distance of the hulls.
+The hull is a point for a disc, a segment for a slot, and a rectangle for a rounded rectangle. Let A
+and B be hulls with radii r and s, r + s > 0, and let d be their distance.
 
 (1) The interiors of the pieces are disjoint if and only if d >= r + s; then their distance is
     d - r - s. The square of d is rational, so every comparison with a rational is exact.
@@ -170,7 +170,7 @@ def surround(pieces: Sequence[RoundedPiece]) -> Region:
 
 
 def to_region(shape: BodyShape) -> Region:
-    """Return a Region unchanged, and a polygon around rounded pieces."""
+    """Return a Region unchanged; replace rounded pieces by a polygon around them."""
     return shape if isinstance(shape, Region) else surround(shape)
 
 

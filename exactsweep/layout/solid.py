@@ -137,7 +137,6 @@ class Solid(NamedTuple):
     """A translated form on a lattice.
 
     Attributes:
-        form: the form.
         x, y: the translation.
         scale: the scale of the lattice.
         slack: a bound on the error of each point, by (3) and (4).

@@ -76,7 +76,7 @@ def judge_pair(refine: Refine, bits: int, spacing: Fraction) -> PairVerdict:
 
     The precision of rotations starts at `bits` and doubles until the verdict is proved.
 
-    Cost: that of `meet`; with a spacing or inexact rotations also that of `find_gap`.
+    Cost: `meet`; with a spacing or inexact rotations also `find_gap`.
     """
     while True:
         a, b = share_scale(*refine(bits))

@@ -95,7 +95,7 @@ class _Teller:
         )
         yield (
             f"Positions are those of the point {write_pair(s.reference)} of G. "
-            "Vertices and edges have the numbers of the input."
+            "Vertices and edges are numbered as in the input."
         )
         if s.kind == "SS":
             rest = count(len(s.no_fit_holes), "hole")
@@ -185,7 +185,7 @@ class _Teller:
                 self._stop(contact, step.end) for contact in self._choose_telling(step.reasons)
             )
             return f"Stop: {', and '.join(stops)}"
-        return "Slot: nothing stops G, but straight on it would enter an exact fit"
+        return "Slot: nothing stops G, but straight ahead it would enter an exact fit"
 
     def _stop(self, contact: Contact, position: Point) -> str:
         event, i, j = contact

@@ -218,7 +218,7 @@ def make_table(heads: Iterable[str], numbers: Container[str] = (), width: int = 
 
 
 def list_facts(texts: Mapping[str, str], width: int) -> Table:
-    """Make a table of names and texts, with a minimum width of the names."""
+    """Make a table of names and texts, with a minimum width for the names."""
     from rich.table import Table
 
     table = Table.grid(padding=(0, 2, 0, 0))
@@ -230,7 +230,7 @@ def list_facts(texts: Mapping[str, str], width: int) -> Table:
 
 
 def write_area(area: Fraction) -> tuple[str, str]:
-    """Return a rounded text of an area, "" if it would be exact, and an exact one."""
+    """Format an area rounded, or "" if that is exact, and also exactly."""
     exact, rounded = abridge(area), approximate(area)
     return "" if rounded == exact else rounded, exact
 

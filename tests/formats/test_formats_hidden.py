@@ -62,7 +62,7 @@ def test_hidden_entities_of_dxf_are_counted() -> None:
         "hidden: 1 INSERT on the layer 'frozen', which is frozen (--hidden)",
         "hidden: 1 LWPOLYLINE in paper space (--hidden)",
     ]
-    assert parts.notes == ["the layer 'guide' does not plot; it is read nevertheless"]
+    assert parts.notes == ["the layer 'guide' does not plot, but is read"]
     everything = parse_polygons(dxf(hidden), hidden=True)
     assert len(everything) == 11
     assert everything.left_out == []

@@ -83,7 +83,7 @@ def test_other_tables_of_placements_name_the_command(table: str) -> None:
 def test_open_rings_of_wkt_are_closed_with_a_note() -> None:
     found = parse_polygons("POLYGON ((0 0, 4 0, 4 4, 0 4))")
     assert found[0].polygon.area == 16
-    assert found.notes == ["1 ring closed that did not end where it began, first line 1, column 10"]
+    assert found.notes == ["1 open ring closed, first line 1, column 10"]
 
 
 def test_instances_give_their_parts() -> None:

@@ -43,10 +43,10 @@ class Curve(Protocol):
         """Return the minimum number of chords."""
 
     def points(self, places: Iterable[int], grid: int) -> list[Point]:
-        """Return the points at some parameters, rounded to multiples of 1 / grid."""
+        """Return the points at the given places, rounded to multiples of 1 / grid."""
 
     def sampler(self) -> Callable[[int], complex]:
-        """Return a function from parameters to points as floats, relative to the start."""
+        """Return a function from places to float points relative to the start."""
 
 
 class Bezier(NamedTuple):
@@ -86,7 +86,7 @@ class Bezier(NamedTuple):
         return scale, [(int(x * scale), int(y * scale)) for x, y in self.controls]
 
     def points(self, places: Iterable[int], grid: int) -> list[Point]:
-        """Return the points at some parameters, rounded to multiples of 1 / grid."""
+        """Return the points at the given places, rounded to multiples of 1 / grid."""
         scale, controls = self._lattice()
         columns: list[Sequence[int]] = [*zip(*controls, strict=True)]
         if self.weights:
@@ -106,7 +106,7 @@ class Bezier(NamedTuple):
         return [Point(Fraction(x, grid), Fraction(y, grid)) for x, y in zip(xs, ys, strict=True)]
 
     def sampler(self) -> Callable[[int], complex]:
-        """Return a function from parameters to points as floats, relative to the start."""
+        """Return a function from places to float points relative to the start."""
         x, y = self.controls[0]
         weights = [*map(float, self.weights)] or [1.0] * len(self.controls)
         lifted = [
@@ -150,7 +150,7 @@ class Arc(NamedTuple):
         return max(1, ceil(self.span / (pi / 2) - 2**-30))
 
     def points(self, places: Iterable[int], grid: int) -> list[Point]:
-        """Return the points at some parameters, rounded to multiples of 1 / grid."""
+        """Return the points at the given places, rounded to multiples of 1 / grid."""
         image = self.image[:6]
         scale = lcm(*(number.denominator for number in image))
         a, b, c, d, e, f = (int(number * scale) for number in image)
@@ -164,7 +164,7 @@ class Arc(NamedTuple):
         return [Point(Fraction(x, grid), Fraction(y, grid)) for x, y in zip(xs, ys, strict=True)]
 
     def sampler(self) -> Callable[[int], complex]:
-        """Return a function from parameters to points as floats, relative to the start."""
+        """Return a function from places to float points relative to the start."""
         a, b, c, d = map(float, self.image[:4])
 
         def near(place: int) -> complex:

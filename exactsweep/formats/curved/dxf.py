@@ -19,7 +19,7 @@ from exactsweep.formats.error import FormatError, OrnamentError
 from exactsweep.formats.reading import Reading
 from exactsweep.numbers.number import Point
 
-# Entities without an outline of their own: fills and infinite lines.
+# Entities without an outline: fills and infinite lines.
 _ORNAMENTS = {"HATCH", "XLINE", "RAY"}
 _CLOSED, _IN_SPACE, _MESH = 1, 8, 16 | 64
 # Entities with irrational ends.
@@ -30,7 +30,7 @@ _FULL, _ZERO = Fraction(360), Fraction(0)
 def parse_dxf(text: str, reading: Reading) -> list[Candidate]:
     """Find the outlines of an ASCII DXF text, joining open lines on the same layer.
 
-    Raises FormatError if the text is not DXF, a requested unit is unknown, or a limit exceeded.
+    Raises FormatError if the text is not DXF, a requested unit is unknown, or a limit is exceeded.
     """
     drawing = read_drawing(text)
     scale = reading.scale(drawing.unit)

@@ -61,9 +61,7 @@ class Blocks:
         if placed.entity.kind == "INSERT" and reason != FROZEN:
             reason = ""
         if layer in self.drawing.unplotted and placed.entity.kind != "INSERT":
-            self.reading.notes[
-                f"the layer {quote(placed.layer)} does not plot; it is read nevertheless"
-            ] = None
+            self.reading.notes[f"the layer {quote(placed.layer)} does not plot, but is read"] = None
         on_layer = reason and f"on the layer {quote(placed.layer)}, which is {reason}"
         what = placed.entity.hidden or on_layer
         return bool(what) and self.reading.hides(f"{placed.entity.kind} {what}")

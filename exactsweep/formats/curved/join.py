@@ -25,7 +25,7 @@ from exactsweep.words import count
 
 # Maximum number of joints near an end.
 _MAX_CROWD = 64
-# Gaps below the reach divided by this are rounding.
+# Gaps smaller than the reach divided by this are due to rounding.
 _ROUNDED = 250
 
 

@@ -185,7 +185,7 @@ class Path:
         places = {k: _divide(curve, tolerance, reading) for k, (curve, _) in self.curves.items()}
         if self.off * 16 > tolerance:
             raise FormatError(
-                "numbers too large for an irrational rotation; a larger --flatten reads it"
+                "numbers too large for an irrational rotation; try a larger --flatten"
             )
         for before, after in self._corners():
             self._part(before, after, places, tolerance)
@@ -258,7 +258,7 @@ def _divide(curve: Curve, tolerance: Fraction, reading: Reading) -> list[int]:
 
 
 def _list_distances(end: _End, places: Sequence[int]) -> list[tuple[float, int]]:
-    """List (distance from the end, place) while the distance grows."""
+    """List pairs (distance from the end, place) while the distance grows."""
     row: list[tuple[float, int]] = [(0.0, 0)]
     ordered = sorted(places) if end.at_start else [WHOLE - p for p in sorted(places)[::-1]]
     for place in [*ordered, WHOLE]:

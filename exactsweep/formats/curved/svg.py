@@ -51,8 +51,8 @@ def parse_svg(text: str, reading: Reading) -> list[Candidate]:
     Coordinates are user units unless a unit is requested; Y points down.
 
     Raises:
-        FormatError: not XML or not SVG, invalid entities, excessive nesting, a requested unit is
-            unknown, or a limit exceeded.
+        FormatError: not XML or not SVG, invalid entities, excessive nesting, an unknown unit if
+            one is requested, or exceeded limits.
 
     Cost: linear in the length of the text and in the number of drawn elements, plus
         `exactsweep.formats.filling.fill` for paths with several subpaths.
@@ -72,9 +72,9 @@ def read_svg(root: Element, reading: Reading, style: Style | None = None) -> lis
     document = Document(root, reading)
     style = style or Style(root)
     if style.ignored:
-        number, first = count(len(style.ignored), "selector"), quote(style.ignored[0])
+        number, first = count(len(style.ignored), "style sheet selector"), quote(style.ignored[0])
         only = "only names, classes and ids are read"
-        reading.notes[f"{number} of style sheets ignored, first {first}: {only}"] = None
+        reading.notes[f"{number} ignored, first {first}: {only}"] = None
     placed = PlacedElement(root, None, reading, style=style)
     # A missing unit is an error of the whole file.
     _ = placed.unit if reading.unit is None else placed.matrix

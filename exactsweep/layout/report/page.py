@@ -31,7 +31,7 @@ def write_layout_page(
 
     Arguments are those of `report_layout` and `draw_layout`.
 
-    Cost: that of `draw_layout`.
+    Cost: as for `draw_layout`.
     """
     from markupsafe import Markup
 

@@ -110,7 +110,7 @@ class LayoutPicture:
     Args:
         judgement: a Judgement.
 
-    Cost: that of `draw_layout` and `rank_faults`, when shown.
+    Cost: `draw_layout` and `rank_faults`, when shown.
 
     Example:
         >>> from exactsweep.corpus import find_layout_case

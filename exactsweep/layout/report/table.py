@@ -45,7 +45,7 @@ def report_layout(
         everything: whether to list all faults.
         context: facts of the file, and the accepted depth.
 
-    Cost: that of `rank_faults` and of `Judgement.distance`.
+    Cost: `rank_faults` and `Judgement.distance`.
 
     Example:
         >>> from exactsweep.layout import Layout, judge_layout
@@ -193,7 +193,7 @@ def tell_fault(
     *,
     repaired: bool = True,
 ) -> tuple[str, str, str, str]:
-    """Describe the placements, measure, witness and, if `repaired`, repair of a fault, rounded."""
+    """Describe the placements, measure, witness and, if `repaired`, the repair of a fault."""
     fault = one.fault
     bad, repair = fault.reason, ""
     if fault.distance_squared is not None and fault.required is not None:
@@ -227,7 +227,7 @@ def write_layout_json(
     Placements are ints, other numbers are strings that `to_fraction` reads. Arguments are those of
     `report_layout`.
 
-    Cost: that of `rank_faults` and of `Judgement.distance`.
+    Cost: `rank_faults` and `Judgement.distance`.
     """
     nearest = judgement.distance
     ranked = rank_faults(judgement, accepted=context.accepted) if ranked is None else ranked

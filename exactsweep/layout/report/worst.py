@@ -104,7 +104,7 @@ def rank_faults(
         tell: called with the number of measured faults and the total.
         accepted: the depth up to which faults are accepted.
 
-    Cost: that of `Fault.depth_squared` for each measured fault.
+    Cost: as for `Fault.depth_squared` for each measured fault.
     """
     order, faults = get_args(FaultKind), judgement.faults
     total = len(faults)
