@@ -74,7 +74,7 @@ def select(candidates: Sequence[Candidate], choice: str) -> list[Candidate]:
         return nest_candidates(grouped)
     near = suggest(choice, [n for o in candidates for n in (o.name, o.layer, *o.groups) if n])
     raise FormatError(
-        f"no polygon has the name, index or layer {quote(choice)}"
+        f"no polygon has the name, index, layer or group {quote(choice)}"
         f"{near or f'; there are {len(candidates)}'}"
     )
 

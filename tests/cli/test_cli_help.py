@@ -33,7 +33,8 @@ def test_unknown_polygons_get_a_suggestion(tmp_path: Path) -> None:
     path.write_text(format_polygons(part_list(8), "json"))
     result = run("sweep", f"{path}#shin-5", NOTCH)
     assert result.stderr.endswith(
-        "parts.json: no polygon has the name, index or layer 'shin-5'; did you mean 'shim-5'?\n"
+        "parts.json: no polygon has the name, index, layer or group 'shin-5'; "
+        "did you mean 'shim-5'?\n"
     )
 
 

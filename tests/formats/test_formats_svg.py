@@ -160,3 +160,23 @@ def test_filling_decides_by_the_direction_of_lines() -> None:
 def test_unfilled_outlines_that_cross_are_not_merged() -> None:
     drawn = f'<path fill="none" stroke="red" d="{BOX}M5 5H12V12H5ZM6 6H7V7H6Z"/>'
     assert read_areas(drawn) == [1, 49, 81]
+
+
+@pytest.mark.parametrize(
+    ("command", "wanted"),
+    [
+        ("v", "numbers after v"),
+        ("L1", "2 numbers, or a multiple, after L"),
+        ("A1 1 0 2 0 3 3", "7 numbers, the flags 0 or 1, or a multiple, after A"),
+        ("z5", "no number after z"),
+    ],
+)
+def test_a_command_names_the_numbers_that_it_needs(command: str, wanted: str) -> None:
+    found = parse_polygons(svg(f'<path d="M0 0h1v1z"/><path d="M0 0{command}"/>')).left_out
+    assert f"path data, character 5: expected {wanted}, found" in found[0]
+
+
+def test_an_unknown_choice_may_be_a_group() -> None:
+    drawing = svg('<g id="tool"><rect width="1" height="1"/></g>')
+    with pytest.raises(FormatError, match=r"layer or group 'tol'; did you mean 'tool'\?$"):
+        parse_polygon(drawing, "tol")

@@ -31,6 +31,7 @@ _RUN = re.compile(
 )
 # How many numbers each command needs.
 _SIZES = {"M": 2, "L": 2, "H": 1, "V": 1, "C": 6, "S": 4, "Q": 4, "T": 2, "A": 7, "Z": 0}
+_WANTED = {0: "no number", 1: "numbers", 7: "7 numbers, the flags 0 or 1, or a multiple,"}
 _BEZIERS = "CSQT"
 # The height of an arc is rounded to a multiple of 1 / _HEIGHTS.
 _HEIGHTS = 10**40
@@ -55,7 +56,7 @@ def read_path(data: str, matrix: Affine, reading: Reading) -> list[Path]:
         # The flags of an arc may run together, so its numbers cannot be counted.
         if (size and letter not in "Aa" and count % size) or bool(size) != bool(count):
             after = quote(data[place + 1 : place + 21]) if data[place + 1 :] else "the end"
-            several = f"{size} numbers, or a multiple," if size else "no number"
+            several = _WANTED.get(size, f"{size} numbers, or a multiple,")
             _refuse(f"expected {several} after {letter}, found {after}", place)
         try:
             if letter in "Aa":
