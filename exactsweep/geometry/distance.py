@@ -17,9 +17,9 @@ from heapq import heappop, heappush
 from itertools import product
 from typing import NamedTuple
 
-from exactsweep.geometry.edges import Rings, is_inside, touch
+from exactsweep.geometry.edges import Rings, is_inside
 from exactsweep.geometry.region import Region, Vertices, share_lattice, to_region
-from exactsweep.geometry.vectors import orientation
+from exactsweep.geometry.vectors import orientation, touch
 from exactsweep.numbers.error import tells_arguments
 from exactsweep.numbers.number import Edge, Point, Rational, Vertex
 

@@ -1,4 +1,4 @@
-"""The edges of a shape: searches by box, and the contact of two edges."""
+"""The edges of a shape: searches by box, and the position of points."""
 
 from __future__ import annotations
 
@@ -69,39 +69,6 @@ class EdgeIndex:
         """Return the vertex after an edge."""
         ring = self.rings[edge[8]]
         return ring[(edge[9] + 2) % len(ring)]
-
-
-def touch(a: Vertex, b: Vertex, p: Vertex, q: Vertex) -> list[Vertex] | None:
-    """Return the ends of the intersection of edges a b and p q, or None if their left sides meet.
-
-    Left sides meet if the edges cross properly, or overlap in the same direction.
-
-    >>> touch((0, 0), (2, 0), (1, 0), (1, 2)), touch((0, 0), (2, 0), (3, 0), (1, 0))
-    ([(1, 0)], [(1, 0), (2, 0)])
-    >>> touch((0, 0), (2, 0), (1, 0), (3, 0)) is None
-    True
-    """
-    (ax, ay), (bx, by), (px, py), (qx, qy) = a, b, p, q
-    dx, dy, ex, ey = bx - ax, by - ay, qx - px, qy - py
-    of_a = ex * (ay - py) - ey * (ax - px)
-    of_b = ex * (by - py) - ey * (bx - px)
-    if (of_a > 0 and of_b > 0) or (of_a < 0 and of_b < 0):
-        return []
-    of_p = dx * (py - ay) - dy * (px - ax)
-    of_q = dx * (qy - ay) - dy * (qx - ax)
-    if (of_p > 0 and of_q > 0) or (of_p < 0 and of_q < 0):
-        return []
-    if of_a == 0 == of_b:
-        low, high = max(min(a, b), min(p, q)), min(max(a, b), max(p, q))
-        if low > high:
-            return []
-        if low < high and (a < b) == (p < q):
-            return None
-        return [low, high]
-    if of_a and of_b and of_p and of_q:
-        return None
-    # The edges are not parallel and meet in one point, an end of one of them.
-    return [a if of_a == 0 else b if of_b == 0 else p if of_p == 0 else q]
 
 
 def is_inside(point: Vertex, rings: Rings) -> bool:

@@ -46,7 +46,7 @@ class Polygon(PointSet):
             the input; edge i runs from vertex i to the next.
         NumberError: a coordinate that is not an exact number.
 
-    Cost: O(n) for a convex or X-monotone polygon of n vertices, O(n log n) for any other.
+    Cost: O(n) for a convex polygon of n vertices, O(n log n) for any other.
 
     Example:
         >>> Polygon([(0, 0), (0, 2), ("1/2", 1), (0, 0)])

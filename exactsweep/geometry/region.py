@@ -9,12 +9,13 @@ from fractions import Fraction
 from itertools import accumulate
 
 from exactsweep.geometry.canonical import PolygonError
-from exactsweep.geometry.edges import EdgeIndex, touch
+from exactsweep.geometry.edges import EdgeIndex
 from exactsweep.geometry.near import find_near
 from exactsweep.geometry.overlap import Relation, find_outside, relate
 from exactsweep.geometry.point_set import AffineMap, PointSet
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.geometry.reading import lcm_within, read_interface, refuse_number
+from exactsweep.geometry.vectors import touch
 from exactsweep.numbers.addition import add_up
 from exactsweep.numbers.digits import abridge
 from exactsweep.numbers.error import name_refusals

@@ -8,8 +8,7 @@ from collections.abc import Sequence
 from itertools import pairwise
 from typing import Literal, NamedTuple
 
-from exactsweep.geometry.edges import touch
-from exactsweep.geometry.vectors import is_on_segment, orientation
+from exactsweep.geometry.vectors import is_on_segment, orientation, touch
 from exactsweep.numbers.number import Edge, Vertex
 
 

@@ -10,8 +10,8 @@ from fractions import Fraction
 from math import isqrt
 
 from exactsweep.geometry.distance import SquaredDistance, find_nearest_ends, measure_ends
-from exactsweep.geometry.edges import BoxedEdge, touch
-from exactsweep.geometry.vectors import minus, orientation
+from exactsweep.geometry.edges import BoxedEdge
+from exactsweep.geometry.vectors import minus, orientation, touch
 from exactsweep.layout.solid import LatticeForm, Solid
 from exactsweep.numbers.number import Edge, Point, Rational
 

@@ -12,7 +12,8 @@ from collections.abc import Iterable, Iterator, Sequence
 from itertools import pairwise
 from typing import NamedTuple
 
-from exactsweep.geometry.edges import EdgeIndex, touch
+from exactsweep.geometry.edges import EdgeIndex
+from exactsweep.geometry.vectors import touch
 from exactsweep.numbers.number import Edge, Vertex
 from exactsweep.procedures.chain import take_corners
 

@@ -15,8 +15,9 @@ from polyominoes import Matrix
 from exactsweep import Point, Region
 from exactsweep.check import classify
 from exactsweep.corpus.generator.cells import Cell, grow
-from exactsweep.geometry.edges import EdgeIndex, Rings, is_inside, touch
+from exactsweep.geometry.edges import EdgeIndex, Rings, is_inside
 from exactsweep.geometry.overlap import Relation, contains, find_outside, relate
+from exactsweep.geometry.vectors import touch
 from exactsweep.numbers.number import Rational, Vertex
 from exactsweep.paper.counting import make_counted, watch_operations
 

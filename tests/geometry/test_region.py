@@ -12,9 +12,9 @@ from polyominoes import Cells, polyominoes, region, rings
 
 from exactsweep import Point, Polygon, PolygonError, Region
 from exactsweep.geometry.canonical import find_doubled_area
-from exactsweep.geometry.edges import touch
 from exactsweep.geometry.outline import number_features
 from exactsweep.geometry.region import share_lattice
+from exactsweep.geometry.vectors import touch
 from exactsweep.numbers.number import Vertex
 
 SQUARE = [(0, 0), (9, 0), (9, 9), (0, 9)]
