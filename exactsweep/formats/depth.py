@@ -92,8 +92,6 @@ def nest_outlines(outlines: Sequence[Candidate]) -> Nested:
     An outline inside an odd number of others is a hole of the innermost one, otherwise a polygon.
     Of equal outlines inside the same polygon, the first is a hole and the others are polygons in
     it; other equal outlines are overlapping polygons.
-
-    Cost: at worst O(m n) for each pair of rings with m and n vertices and nested bounding boxes.
     """
     rings: list[_OwnedRing] = []
     for outline in outlines:

@@ -75,18 +75,10 @@ def list_parts(
 ) -> Listing:
     """Find the polygons of files, folders and patterns, and name them.
 
-    Args:
-        paths: each as for `find_files`, optionally with "#" and a choice for each file.
-        tolerance: as for `exactsweep.formats.parse_polygons`.
-        options: as for `exactsweep.formats.parse_polygons`.
-
-    Returns:
-        A Listing. The name of a polygon is its id, its layer, the file name if the file has no
-        other, or its index. With several files, names start with the file name, as in
-        "left.dxf#cut". If Y points down in some files only, it is flipped there, with a note.
-
-    Raises:
-        FormatError: no file can be read.
+    Paths are as for `find_files`, optionally with "#" and a choice for each file. The name of a
+    polygon is its id, its layer, the file name if the file has no other, or its index. With several
+    files, names start with the file name, as in "left.dxf#cut". If Y points down in some files
+    only, it is flipped there, with a note. Raises FormatError if no file can be read.
     """
     files = [found for path in paths for found in _split_files(path)]
     parts: list[ListedPart] = []

@@ -15,18 +15,11 @@ _LINES = ("LineString", "Point")
 def parse_path(
     text: str, *, is_list: bool = False, reading: Reading | None = None
 ) -> Polyline | None:
-    """Read a path; return None for any other text.
+    """Read a path; return None for any other text, and raise FormatError for an invalid path.
 
-    Args:
-        text: a WKT LINESTRING or POINT; a GeoJSON LineString or Point, or a Feature with one; an
-            SVG document with one open unfilled path of straight segments; or a JSON list of one or
-            two points.
-        is_list: whether to read longer JSON lists, and filled or closed SVG paths, as paths instead
-            of polygons.
-        reading: the settings for SVG.
-
-    Raises:
-        FormatError: an invalid path.
+    A path is a WKT LINESTRING or POINT; a GeoJSON LineString or Point, or a Feature with one; an
+    SVG document with one open unfilled path of straight segments; or a JSON list of one or two
+    points. With `is_list`, longer JSON lists, and filled or closed SVG paths, are paths, too.
 
     Example:
         >>> print(parse_path("LINESTRING (0 0, 0.5 0)"), "and", parse_path('[[0, 0], ["1/2", 0]]'))

@@ -87,12 +87,7 @@ class Changes(NamedTuple):
 def round_regions(
     regions: Iterable[NamedRegion], places: int, side_of: Callable[[NamedRegion], Side]
 ) -> tuple[list[NamedRegion], Changes]:
-    """Round regions to decimals.
-
-    Args:
-        regions: NamedRegions.
-        places: the number of decimal places.
-        side_of: returns the `side` of `round_region` for each region.
+    """Round regions to decimals; `side_of` returns the `side` of `round_region` for each.
 
     Example:
         >>> third = NamedRegion(Region([(0, 0), (1, 0), (0, "1/3")]), "third", None)

@@ -40,8 +40,6 @@ def write_certificate(board: Board, faults: Sequence[Fault]) -> dict[str, Any]:
     Raises:
         LayoutError: no fault has a proof, because all are undecided or due to rings that only
             touch; or a ring has fewer than three vertices.
-
-    Cost: one search for a normal for each pair of pieces whose boxes are too close.
     """
     parts = (part for part in board.layout.parts if not part.pieces)
     rings = (ring for part in parts for ring in (part.exterior, *part.holes))

@@ -92,8 +92,6 @@ def list_clearances(a: Solid, b: Solid, within: Fraction | None) -> Iterator[Cle
     """Yield the clearances of pairs of pieces, if at most `within`; the solids share a lattice.
 
     The second solid may be the outside of a rounded container.
-
-    Cost: O(p q) for p and q pieces, plus `measure_hulls` for each pair within reach.
     """
     scale = a.scale
     reach: Rational | None = None if within is None else within * scale

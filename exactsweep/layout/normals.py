@@ -23,8 +23,6 @@ def find_normal(
 
     Pieces are counter-clockwise rings, segments or points; the distance is in lattice units.
 
-    Cost: O((m + n)^2), or O(m n (m + n)) if vertices are nearest.
-
     >>> find_normal([(0, 0), (2, 0), (0, 2)], [(2, 2), (0, 2), (2, 0)], Fraction(0))
     (1, 1)
     """

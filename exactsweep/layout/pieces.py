@@ -43,9 +43,7 @@ def find_common_point(one: Sequence[Vertex], other: Sequence[Vertex]) -> Point |
 def clip(ring: Sequence[Vertex], sides: Sequence[Rational]) -> Iterator[Vertex]:
     """Yield the part of a ring on one side of a line (Sutherland and Hodgman).
 
-    Args:
-        ring: the vertices.
-        sides: the distance of each vertex from the line in any unit, negative if clipped.
+    `sides` are the distances of the vertices from the line in any unit, negative if clipped.
     """
     for k, (p, side) in enumerate(zip(ring, sides, strict=True)):
         q, before = ring[k - 1], sides[k - 1]

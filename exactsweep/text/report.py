@@ -196,12 +196,9 @@ def lay_out(tables: Iterable[Table], terminal_width: int | None) -> str:
 
 
 def make_table(heads: Iterable[str], numbers: Container[str] = (), width: int = 0) -> Table:
-    """Make a borderless table with a bold first column.
+    """Make a borderless table with a bold first column of a minimum width.
 
-    Args:
-        heads: the column heads.
-        numbers: the heads of right-aligned columns.
-        width: the minimum width of the first column.
+    `numbers` are the heads of right-aligned columns.
     """
     from rich.table import Table
 
