@@ -21,7 +21,7 @@ from exactsweep.cli.layout_rows import (
 from exactsweep.cli.options import PATH, checked, gather, takes_file, takes_output, takes_workers
 from exactsweep.cli.output import measure_columns, write, write_readable
 from exactsweep.cli.pair import ReadingOptions, takes_reading
-from exactsweep.cli.reports import to_gap
+from exactsweep.cli.reports import require_own_files, to_gap
 from exactsweep.cli.working import show_bar, working
 from exactsweep.formats import show_path
 from exactsweep.formats.folder import find_files
@@ -75,6 +75,10 @@ class _Wanted(NamedTuple):
     repair: str | None
     shrink: str | None
     output: str
+
+    def list_files(self) -> list[str | None]:
+        """List the files; None stands for an output that is not requested."""
+        return [self.certificate, self.html, self.svg, self.repair, self.shrink]
 
 
 @click.command("layout")
@@ -200,6 +204,7 @@ def layout_command(
     """
     from exactsweep.formats.layouts import read_layouts
 
+    require_own_files([*wanted.list_files(), wanted.output])
     found = [path for given in files for path in find_files(given)]
     if "-" in found and len(found) > 1:
         raise click.UsageError("Standard input (-) cannot be combined with other files.")
@@ -214,7 +219,7 @@ def layout_command(
                 y_down = found[0].split("#")[0].lower().endswith(".svg")
             code = _judge_one(layouts[0], gaps, rules, show_path(found[0]), wanted, y_down=y_down)
             sys.exit(code)
-    if wanted.certificate or wanted.html or wanted.svg or wanted.repair or wanted.shrink:
+    if any(wanted.list_files()):
         raise click.UsageError(
             "--certificate, --html, --svg, --repair and --shrink are for a single layout."
         )

@@ -26,10 +26,12 @@ if TYPE_CHECKING:
 
 
 def require_own_files(paths: Sequence[str | None]) -> None:
-    """Reject a file that is used for two reports."""
+    """Reject a file, or standard output, that is used for two outputs."""
+    if [*paths].count("-") > 1:
+        raise click.UsageError("Only one report can be written to standard output.")
     files = [os.path.realpath(path) for path in paths if path not in (None, "-")]
     if len({*files}) < len(files):
-        raise click.UsageError("The reports and the journal must be different files.")
+        raise click.UsageError("All outputs must be different files.")
 
 
 @dataclass
@@ -47,8 +49,6 @@ class Reports:
     def __post_init__(self) -> None:
         """Fail before a long run instead of after it."""
         paths = [path for path in self.list_files() if path is not None]
-        if paths.count("-") > 1:
-            raise click.UsageError("Only one report can be written to standard output.")
         require_own_files(paths)
         for path in paths:
             if path != "-" and not Path(path).parent.is_dir():

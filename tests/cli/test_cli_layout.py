@@ -141,3 +141,19 @@ def test_refusals_name_the_file(tmp_path: Path) -> None:
     file.write_text(json.dumps({**data, "spacing": "-1"}), encoding="utf-8")
     done = run("layout", str(file))
     assert done.stderr == f"Error: {file}: spacing is -1, less than 0\n"
+
+
+@pytest.mark.parametrize(
+    ("options", "reason"),
+    [
+        (["--html", "out", "--svg", "out"], "All outputs must be different files."),
+        (["--repair", "out", "-o", "./out"], "All outputs must be different files."),
+        (["--html", "-"], "Only one report can be written to standard output."),
+    ],
+)
+def test_two_outputs_need_two_files(options: list[str], reason: str, tmp_path: Path) -> None:
+    path = tmp_path / "nest.json"
+    path.write_text("{}")
+    done = run("layout", str(path), *options)
+    assert done.exit_code == 2
+    assert reason in done.stderr
