@@ -63,11 +63,11 @@ class Case(AnsweredPair):
         Args:
             id: the name of the case.
             title: a description in one line.
-            directrix: D, a Polygon, a Region or vertices as for `Polygon`; vertices stay as given.
-            generatrix: G, likewise.
+            directrix: D, a Polygon, a Region or vertices as for `Polygon`, which are kept.
+            generatrix: G, in any of these forms.
             reference: the reference point of G.
             flags: flags in addition to those of `find_facts`.
-            directrix_holes: the holes of D, if it is no Region.
+            directrix_holes: the holes of D, unless it is a Region.
             generatrix_holes: the holes of G, if it is no Region.
             inner_fit: whether to compute the positions of G inside D for any class.
             note: the origin of the case.

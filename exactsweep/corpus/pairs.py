@@ -63,8 +63,8 @@ def read_pairs(path: str, tolerance: object = None, **options: Unpack[Options]) 
         path: a file, or "-" for standard input. It has lines of JSON as for `read_case`, one such
             object over several lines, or polygons in any format of `parse_regions`, of which all
             ordered pairs are cases.
-        tolerance: as for `parse_regions`.
-        options: likewise.
+        tolerance: passed to `parse_regions`.
+        options: passed to `parse_regions`.
 
     Yields:
         Cases with the ids of the lines, or "pair-NUMBER" by line, or the two names or indices of

@@ -5,7 +5,7 @@
 //
 // Reads a line: "trajectory", "no_fit" or "inner_fit"; the number of rings of the one polygon, and
 // each ring as the number of its vertices and their coordinates; the same of the other one. Answers
-// with the number of rings, and each ring likewise; or with a line that starts with "error".
+// with the number of rings and the rings in the same form, or with a line that starts with "error".
 'use strict';
 const fs = require('fs');
 const path = require('path');

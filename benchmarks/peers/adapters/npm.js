@@ -3,8 +3,8 @@
 //   node npm.js PACKAGE FOLDER
 //
 // FOLDER has node_modules. Reads a line: the numbers of vertices of two polygons, each followed by
-// their coordinates. Answers with the number of rings of the sum, and each ring likewise; or with a
-// line that starts with "error".
+// their coordinates. Answers with the number of rings of the sum and the rings in the same form, or
+// with a line that starts with "error".
 'use strict';
 const path = require('path');
 const readline = require('readline');

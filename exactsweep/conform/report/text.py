@@ -94,8 +94,8 @@ def close(run: Run) -> str:
     faults = run.list_faults()
     for fault in faults[:_LISTED]:
         smallest = fault.kept[0]
-        likewise = f"  (and {fault.count - 1} more like it)" if fault.count > 1 else ""
-        lines.append(f"{smallest.verdict}  {cut(smallest.id)}  {smallest.reason}{likewise}")
+        more = f"  (and {fault.count - 1} more like it)" if fault.count > 1 else ""
+        lines.append(f"{smallest.verdict}  {cut(smallest.id)}  {smallest.reason}{more}")
     if len(faults) > _LISTED:
         rest = sum(fault.count for fault in faults[_LISTED:])
         lines.append(f"... and {count(rest, 'failure')} of {len(faults) - _LISTED} other kinds")
