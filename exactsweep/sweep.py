@@ -196,7 +196,7 @@ def free_positions(
 
     Returns:
         An InnerFit with its regions, and its exact fits, where the part touches obstacles on at
-        least two sides. It is false if there is no position.
+        least two sides. It is falsy if there are no positions.
 
     Raises:
         PolygonError: a shape is not valid.

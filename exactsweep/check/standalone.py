@@ -521,7 +521,7 @@ def cover_sides(sums: Sums, known: list[Known], listed: list[Any], around: Itera
 
 
 def wind(name: str, known: list[Known], points: Iterable[Point], wanted: int, work: Work) -> None:
-    """Require a winding number of loops at points."""
+    """Require that loops have the wanted winding number at points."""
     around = [edge[:3] for edge in known if edge.loop]
     for z in points:
         work.spend(len(around) / 2)

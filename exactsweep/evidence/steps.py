@@ -6,7 +6,7 @@ a step, G turns left or right:
 - left, at a corner: a vertex of G is on a vertex of D. Straight ahead, G would lose contact. G
   turns onto the next edge of D or of G by slope, as in Lemma 3.1.
 - right, at a stop: straight ahead, G would overlap D at one or more new contacts.
-- right, without a stop: the way straight ahead leads into an exact fit.
+- right, without a stop: straight ahead is an exact fit.
 
 A contact stops G if every move in that direction, however short, causes overlap there. Near a
 contact, both polygons are cones; inside an edge, the cone is a half-plane. After a short step, G
@@ -194,7 +194,7 @@ class _Guide:
         return found
 
     def _edge_to(self, position: Point) -> int | None:
-        """Find the edge of the trajectory with a position after its start."""
+        """Find the edge of the trajectory that contains a position other than its start."""
         point = self.sweep.solution.frame.enter_point(position, self.sweep.reference)
         for kind, k in self.path.find_at(point):
             return k if kind == "E" else self.path.before[k]

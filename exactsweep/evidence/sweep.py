@@ -107,7 +107,7 @@ class SweepAnswer(Certified):
 
     @cached_property
     def unswept(self) -> tuple[Polygon, ...]:
-        """The holes of the swept area other than the inner loop, sorted; only of kind "SS"."""
+        """The holes of the swept area other than the inner loop, sorted; only for kind "SS"."""
         return tuple(map(place_loop, self.solution.unswept))
 
     @cached_property

@@ -52,7 +52,7 @@ class NoFitUnion(RegionAnswer):
         return "overlap" if found == "inside" else "contact" if found == "boundary" else "free"
 
     def _claim(self) -> NoReturn:
-        raise PolygonError("certificates do not cover groups of shapes; prove each pair alone")
+        raise PolygonError("certificates do not cover groups of shapes; prove each pair separately")
 
     def __repr__(self) -> str:
         return f"<NoFitUnion of {len(self.orbiting)} around {len(self.stationary)} shapes>"

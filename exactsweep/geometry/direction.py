@@ -167,8 +167,8 @@ def read_direction(direction: Iterable[object]) -> Vector:
 def find_monotone_directions(polygon: Polygon) -> Directions:
     """Find all directions in which a polygon is monotone; cached by the polygon.
 
-    While u rotates, the polygon is monotone wherever the edges around the boundary change between
-    forward and backward twice. Cost: O(n log n).
+    A polygon is monotone in direction u if its edges, in order, switch between forward and backward
+    exactly twice. The search rotates u and counts the switches. Cost: O(n log n).
 
     >>> square = find_monotone_directions(Polygon([(0, 0), (1, 0), (1, 1), (0, 1)]))
     >>> (1, 0) in square, square.after

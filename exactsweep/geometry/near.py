@@ -15,7 +15,7 @@ Bounds = tuple[Rational, Rational, Rational, Rational]
 """The left, right, low and high end of a closed box."""
 
 _PER_ROW = 16
-"""The mean number of boxes in a row. Speed does not change from 8 to 64."""
+"""The mean number of boxes in a row. Values from 8 to 64 are equally fast."""
 
 _Entry = tuple[Rational, Rational, Rational, Rational, int]
 

@@ -41,9 +41,9 @@ class Polygon(PointSet):
             may be repeated at the end; equal neighbours and collinear vertices are allowed.
 
     Raises:
-        PolygonError: not pairs, fewer than three distinct vertices, zero area, a spike, a boundary
-            that touches or crosses itself. The message names vertices and edges by their index in
-            the input; edge i runs from vertex i to the next.
+        PolygonError: vertices that are not pairs, fewer than three distinct ones, zero area, a
+            spike, or a boundary that touches or crosses itself. The message names vertices and
+            edges by their index in the input; edge i runs from vertex i to the next.
         NumberError: a coordinate that is not an exact number.
 
     Cost: O(n) for a convex polygon of n vertices, O(n log n) for any other.
@@ -94,7 +94,7 @@ class Polygon(PointSet):
         vertex_index: Sequence[int] | None = None,
         edge_index: Sequence[int] | None = None,
     ) -> Self:
-        """Make a Polygon of canonical points, divided by any scale, without validation."""
+        """Make a Polygon from canonical points, divided by the scale, without validation."""
         polygon = cls.__new__(cls)
         polygon._vertices = polygon._lattice = None
         if scale is None:
@@ -146,7 +146,7 @@ class Polygon(PointSet):
         return self._lattice
 
     def vertex_index(self, k: int) -> int:
-        """Return the index of vertex k in the input; negative k count from the end.
+        """Return the input index of vertex k; negative k count from the end.
 
         Raises PolygonError if there is no vertex k.
         """
@@ -156,7 +156,7 @@ class Polygon(PointSet):
             raise refuse_number(k, "vertex", len(self)) from None
 
     def edge_index(self, k: int) -> int:
-        """Return the index of edge k, from vertex k to k + 1, in the input.
+        """Return the input index of edge k, from vertex k to k + 1.
 
         If several collinear input edges form edge k, it is the first. Raises PolygonError if there
         is no edge k.

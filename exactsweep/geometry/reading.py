@@ -114,7 +114,7 @@ def read_vertices(vertices: Iterable[Iterable[object]]) -> Lattice:
     rings = read_interface(vertices)
     if rings is not None:
         if len(rings) > 1:
-            raise PolygonError("it has holes: make a Region of it")
+            raise PolygonError("the polygon has holes; use a Region")
         (vertices,) = rings
     try:
         pairs = iter(vertices)

@@ -129,7 +129,7 @@ class Region(PointSet):
         return _restore([ring._image(under) for ring in (self.exterior, *self.holes)], self._firsts)
 
     def vertex_index(self, k: int) -> int:
-        """Return the index of vertex k, counted through all `rings`, in the input.
+        """Return the input index of vertex k, counted through all `rings`.
 
         In the input, too, the exterior comes first; the holes follow in the given order. Negative k
         count from the end. Raises PolygonError if there is no vertex k.
@@ -138,7 +138,7 @@ class Region(PointSet):
         return first + ring.vertex_index(k)
 
     def edge_index(self, k: int) -> int:
-        """Return the index of edge k, from vertex k to the next of its ring, in the input.
+        """Return the input index of edge k, from vertex k to the next of its ring.
 
         Edges are counted as in `vertex_index`. If several collinear input edges form edge k, it is
         the first.

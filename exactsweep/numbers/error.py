@@ -29,7 +29,7 @@ _ECHO = 40
 
 
 class ExactSweepError(ValueError):
-    """An error of this package; the message says what is wrong, and where."""
+    """Base class of this package's errors; the message says what is wrong, and where."""
 
 
 class NumberError(ExactSweepError):

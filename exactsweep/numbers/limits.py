@@ -59,7 +59,7 @@ def limits(*, max_digits: int | None = None, max_mib: float | None = None) -> It
     Args:
         max_digits: the maximum number of digits of the numerator and of the denominator of a number
             in a string or `Decimal`, in lowest terms; 4300 by default. A number written out digit
-            by digit may have 32 times as many and 7 more. None keeps the limit.
+            by digit may have 32 times as many, plus 7. None keeps the limit.
         max_mib: the maximum size in MiB of a file, or of a line of a file of pairs, with at least
             16 bytes for each vertex; 16 MiB by default. None keeps the limit.
 

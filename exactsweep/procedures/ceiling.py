@@ -43,7 +43,7 @@ def subtrajectories(
     """
     count = STRIPS * min(len(generatrix_parts), len(directrix_parts))
     if ranges is None and count <= STRIPS**2:
-        # Few sums cost less than their bounds.
+        # Bounding so few sums costs more than computing them.
         return cc.subtrajectories(generatrix_parts, directrix_parts)
     rows, columns = bound_all(generatrix_parts), bound_all(directrix_parts)
     left = min(row[1] for row in rows) + min(column[1] for column in columns)

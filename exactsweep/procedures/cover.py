@@ -58,7 +58,7 @@ def _find_extent(rings: Rings) -> int:
 
 
 def add_squares(stationary: Rings, moving: Rings, side: int) -> tuple[int, int, list[int]]:
-    """Return the squares that (1) finds for two shapes: first column, first row, columns."""
+    """Return the squares in O by (1): first column, first row, columns."""
     left, low, near, inside = find_squares(stationary, side)
     squares = [a & ~b for a, b in zip(inside, near, strict=True)]
     squares = [a & a >> 1 & b & b >> 1 for a, b in pairwise(squares)]

@@ -3,7 +3,7 @@
 Let a be an edge of D, v a vertex of H, and c and c' the two edges after v. For any edge p of D and
 any edge q of H, O contains the interior of the parallelogram p + q: there p crosses an edge of G.
 
-(1) If c' crosses the line through v along a, in v + w, the interior of a + c' contains a + v,
+(1) If c' crosses the line through v along a, at v + w, the interior of a + c' contains a + v,
     except for the part from which w leads out of a.
 (2) If the edge b before a ends in a reflex vertex, and c leads to the right of b, the interior of
     b + c contains the first part of a + v.

@@ -12,7 +12,7 @@ all pairs. The numbered statements of the modules hold for such a union:
     of that pair, with O_k just to the left.
 (2) Around a single free position, open sectors of the O_k cover all directions. A sector starts
     along a contact segment that leaves the position, or against one that ends there. Two lines that
-    do not both have segments in both directions are too few starts.
+    do not both have segments in both directions give too few starts.
 
 The obstacles of an inner fit are a frame around the container, and each of its defects.
 """

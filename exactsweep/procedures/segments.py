@@ -58,7 +58,7 @@ EdgeFeature = tuple[int, int, int, Rational, Rational, bool, Adjacent]
 the line; the adjacent edges."""
 
 LeaveOut = Callable[[Sequence[EdgeFeature], Sequence[Vertex], int], Sequence[EdgeFeature]]
-"""A pruning step, which returns the parts to keep of the edges that vertex k of a ring faces."""
+"""A pruning step: it returns the parts to keep of the edges that face vertex k of a ring."""
 
 
 @dataclass(eq=False)

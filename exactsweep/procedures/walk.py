@@ -19,7 +19,7 @@ from exactsweep.procedures.crossings import HomogeneousPoint, OneSidedPiece, Pie
 
 PieceRing = Sequence[OneSidedPiece]
 Test = Callable[[HomogeneousPoint], bool]
-"""A test whether a position, reduced or not, is in O."""
+"""A predicate for positions in O, which need not be reduced."""
 
 
 class Free(NamedTuple):

@@ -186,11 +186,11 @@ def test_shapely_reads_a_shape_and_is_read() -> None:
 @pytest.mark.parametrize(
     ("shape", "message"),
     [
-        (shapely.box(0, 0, 9, 9) - shapely.box(1, 1, 2, 2), "it has holes: make a Region of it"),
+        (shapely.box(0, 0, 9, 9) - shapely.box(1, 1, 2, 2), "the polygon has holes; use a Region"),
         (shapely.LineString([(0, 0), (1, 1), (2, 0)]), "a LineString is not a polygon"),
         (shapely.MultiPolygon([shapely.box(0, 0, 1, 1)]), "a MultiPolygon is not a polygon"),
         (shapely.Polygon(), "the polygon is empty"),
-        (PLATE, "it has holes: make a Region of it"),
+        (PLATE, "the polygon has holes; use a Region"),
         *(
             (
                 SimpleNamespace(__geo_interface__={"type": "Polygon", "coordinates": source}),
