@@ -141,7 +141,6 @@ def _inner_fit(c: Any) -> CoqClaim:
 
 
 def _cut(unit: int, exterior: Any, holes: Any) -> tuple[str, Any]:
-    """Cut loops into triangles."""
     return "triangles", (_triangles(exterior, unit), [_triangles(hole, unit) for hole in holes])
 
 

@@ -153,6 +153,5 @@ def _part(part: Any, drawn: Figure, allowed: list[Any], used: list[PlacedPart]) 
 
 
 def _whole(x: str, y: str) -> tuple[int, int]:
-    """Return a normal as two integers."""
     unit = lcm(Fraction(x).denominator, Fraction(y).denominator)
     return int(Fraction(x) * unit), int(Fraction(y) * unit)

@@ -50,7 +50,6 @@ def list_meetings(
 
 
 def _list_near(shapes: tuple[LatticeShape, LatticeShape]) -> Iterator[tuple[Edge, Edge]]:
-    """Yield the pairs of edges whose boxes meet."""
     one, other = (
         [
             (box, e)

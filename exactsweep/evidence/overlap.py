@@ -65,7 +65,6 @@ class Overlap:
 
     @cached_property
     def _boundary(self) -> list[Edge]:
-        """The boundary of the intersection, on the lattice."""
         return find_common_boundary(*self._lattice[1]) if self.verdict == "OVERLAP" else []
 
     @cached_property

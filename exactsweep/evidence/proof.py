@@ -168,12 +168,10 @@ def _surround(
 
 
 def _turn(ring: Iterable[Node]) -> list[Node]:
-    """Apply a half turn to a ring."""
     return [(-x, -y, w) for x, y, w in ring]
 
 
 def _cut(rings: Sequence[IntRing]) -> list[list[Node]]:
-    """Cut a shape into convex pieces of few edges."""
     cut = chain.from_iterable(map(_slice, cut_to_convex(rings)))
     return [[(x, y, 1) for x, y in piece] for piece in cut]
 

@@ -52,7 +52,6 @@ def unite(gaps: Iterable[Gap], known: Sequence[DirectedSegment]) -> list[Directe
 
 
 def _is_on(p: Node, edge: DirectedSegment) -> bool:
-    """Decide whether a point is on a segment."""
     (a, b, c), (x, y, w) = edge.line, p
     if a * x + b * y + c * w:
         return False

@@ -137,7 +137,6 @@ class SweepAnswer(Certified):
 
     @cached_property
     def _boundaries(self) -> tuple[Outline, Outline]:
-        """The features of G and of D in the frame."""
         s = self.solution
         return Outline(s.generatrix), Outline(s.directrix)
 

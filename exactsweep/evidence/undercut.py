@@ -93,7 +93,6 @@ class Tracer(NamedTuple):
         return single
 
     def _list_edges(self, whole: Segment) -> list[Segment]:
-        """List the edges of G that are parallel to a segment."""
         return [own for own in self.generatrix.pieces if own.direction == whole.direction]
 
     def choose(self, edge: Edge, whole: Segment) -> list[TracedPiece]:

@@ -105,7 +105,6 @@ def cut_to_convex(rings: Sequence[IntRing]) -> list[ConvexRing]:
 
 
 def _find_cones(edges: Sequence[tuple[IntVertex, IntVertex]]) -> dict[IntVertex, list[_Corner]]:
-    """Find the cones at each vertex, by (1)."""
     directions: defaultdict[IntVertex, list[tuple[IntVertex, bool]]] = defaultdict(list)
     for a, b in edges:
         directions[a].append((minus(b, a), True))

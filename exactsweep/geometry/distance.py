@@ -85,7 +85,6 @@ class _EdgeTree:
 
 
 def _find_nearest(first: _EdgeTree, second: _EdgeTree) -> SquaredDistance:
-    """Find two nearest points of two shapes on one lattice."""
     common = _find_vertex_inside(first, second)
     if common is not None:
         return SquaredDistance(Fraction(0), (common, common))

@@ -142,7 +142,6 @@ def _cones_meet(ours: Iterable[_EdgeCone], others: Iterable[_EdgeCone]) -> bool:
 
 
 def _is_in_cone(ray: Vertex, cone: _EdgeCone) -> bool:
-    """Decide whether a ray is strictly inside a cone."""
     (x, y), ((ux, uy), (vx, vy)) = ray, cone
     after, before = ux * y > uy * x, x * vy > y * vx
     return (after and before) if ux * vy >= uy * vx else (after or before)

@@ -83,7 +83,6 @@ class Region(PointSet):
         self._set((outer, *inner), firsts)
 
     def _set(self, rings: Sequence[Polygon], firsts: Sequence[int]) -> None:
-        """Set the exterior and the holes, with the first input number of each."""
         order = [0, *sorted(range(1, len(rings)), key=lambda k: rings[k].vertices)]
         holes = tuple(rings[k] for k in order[1:])
         sizes = map(len, (rings[0], *holes[:-1])) if holes else ()

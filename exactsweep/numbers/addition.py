@@ -40,7 +40,7 @@ def add_ratios(terms: Iterable[_Pair]) -> Fraction:
 
 
 def _in_pairs(add: Callable[[_Term, _Term], _Term], terms: list[_Term]) -> list[_Term]:
-    """Add terms one and two, three and four and so on; an odd last term stays."""
+    """Add adjacent pairs of terms; an odd last term stays."""
     pairs = zip(terms[::2], terms[1::2], strict=False)
     return [add(one, other) for one, other in pairs] + terms[len(terms) & ~1 :]
 

@@ -148,7 +148,6 @@ class MonotoneSolution:
         return self._class(g_top, g_bottom, d_bottom), self._class(g_bottom, g_top, d_top)
 
     def _join(self, boundary: Callable[[LowerMM], Chain]) -> list[Vertex]:
-        """Join the lower and the upper half of a loop, in the frame."""
         lower, upper = (boundary(half).points for half in self.halves)
         upper = inverse(upper)
         # At each end the two chains meet in a point, or a vertical edge joins them.

@@ -160,7 +160,7 @@ def _join_fits(
 
 
 def _find_middle(p: HomogeneousPoint, q: HomogeneousPoint) -> HomogeneousPoint:
-    """Return the middle of two points, not reduced."""
+    """Return the midpoint of two points, not reduced."""
     (x, y, w), (u, v, z) = p, q
     return x * z + u * w, y * z + v * w, 2 * w * z
 
