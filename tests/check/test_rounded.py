@@ -56,6 +56,19 @@ def test_a_point_nearer_than_both_radii_is_an_overlap(seed: int) -> None:
         assert is_proved(with_faults(certificate, fault)) is not is_valid
 
 
+@needs_node
+def test_only_pieces_of_two_points_may_repeat_one(tmp_path: Path) -> None:
+    piece = {"points": rect(0, 0, 4, 4)}
+    part = {"id": "a", "pieces": [piece]}
+    layout = {"parts": [part], "placements": [{"part": "a", "move": ["0", "0"]}]}
+    plain = json.loads(json.dumps(judge_layout(Layout.from_json(layout)).certificate()))
+    place = "layout", "parts", 0, "pieces", 0, "points"
+    dot = put(plain, place, [["1", "1"]] * 2)
+    repeated = put(plain, place, [*piece["points"], piece["points"][0]])
+    assert check_agreement([plain, dot], tmp_path) == 2
+    assert check_agreement([repeated], tmp_path) == 0
+
+
 @pytest.mark.parametrize(("error", "is_close"), [("0", True), ("1/2", False), ("1/3", True)])
 def test_errors_count_for_rounded_pieces(error: str, is_close: bool) -> None:
     certificate = rounded_layout([[disc(0, 0, 1)], [disc(3, 0, 1)]], spacing="2")
