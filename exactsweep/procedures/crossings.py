@@ -47,7 +47,7 @@ def cut(segments: Sequence[ContactSegment]) -> Pieces:
     pieces = Pieces([], [], set())
     bits = measure_keys(segments)
     for k, j in find_near([segment.box for segment in segments]):
-        cross(segments[k], segments[j], bits)
+        record_crossing(segments[k], segments[j], bits)
     for segment in segments:
         dx, dy, _ = segment.line
         for p, q in _find_left_over(segment, pieces.meetings):
@@ -75,7 +75,7 @@ def measure_keys(segments: Sequence[ContactSegment]) -> int:
     return bits
 
 
-def cross(first: ContactSegment, second: ContactSegment, bits: int) -> None:
+def record_crossing(first: ContactSegment, second: ContactSegment, bits: int) -> None:
     """Record a crossing in both segments, with the sides on which overlap passes there."""
     (adx, ady, ac), (bdx, bdy, bc) = first.line, second.line
     d = adx * bdy - ady * bdx

@@ -9,7 +9,7 @@ import pytest
 from exactsweep.geometry import near
 from exactsweep.numbers.number import Rational
 from exactsweep.procedures import crossings
-from exactsweep.procedures.crossings import cross, cut, find_point, measure_keys
+from exactsweep.procedures.crossings import cut, find_point, measure_keys, record_crossing
 from exactsweep.procedures.segments import ContactSegment, Cut, Sides
 
 BOTH: list[Sides] = [(False, False), (False, True), (True, False), (True, True)]
@@ -56,7 +56,7 @@ def test_two_segments_record_the_sides_of_the_other(x: Rational, y: Rational) ->
         for segment in one, other:
             segment.sides, segment.low_sides, segment.high_sides = rng.choices(BOTH, k=3)
         bits = measure_keys([one, other])
-        cross(one, other, bits)
+        record_crossing(one, other, bits)
         if direction == other_direction:
             assert one.cuts == other.cuts == []
             continue
@@ -75,7 +75,7 @@ def test_segments_that_end_before_they_meet_have_no_cuts() -> None:
                 through(1, 2, direction, *span),
                 through(1, 2, other_direction, *other_span),
             )
-            cross(one, other, measure_keys([one, other]))
+            record_crossing(one, other, measure_keys([one, other]))
             assert one.cuts == other.cuts == []
 
 
@@ -90,7 +90,7 @@ def test_parameters_that_nearly_agree_have_different_keys() -> None:
         ]
         bits = measure_keys([third, *others])
         for other in others:
-            cross(third, other, bits)
+            record_crossing(third, other, bits)
         (first, n, d, *_), (last, m, e, *_) = third.cuts
         assert first != last
         assert (first < last) == (Fraction(n, d) < Fraction(m, e))
@@ -133,7 +133,7 @@ def test_crossing_segments_are_cut(
     bits = measure_keys(expected)
     for k, one in enumerate(expected):
         for other in expected[:k]:
-            cross(one, other, bits)
+            record_crossing(one, other, bits)
     assert sum(len(segment.cuts) for segment in found) > 100
     for one, other in zip(found, expected, strict=True):
         assert sorted(one.cuts) == sorted(other.cuts)

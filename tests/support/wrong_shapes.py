@@ -79,7 +79,7 @@ OTHERS: dict[str, tuple[Procedure, Sabotage]] = {
         giving(lambda found: found[:-1]),
     ),
     "crossings: none is found": (
-        crossings.cross,
+        crossings.record_crossing,
         lambda right: lambda first, second, bits: None,
     ),
     "swept area: of several places that are not swept only the first": (
