@@ -148,6 +148,7 @@ class PointSet:
         """
         return self._image(AffineMap(_ONE, _ZERO, _ZERO, _ONE, *read_point(by, "translation")))
 
+    @tells_arguments
     def rotated(
         self, by: object, center: Iterable[object] = (0, 0), *, bits: int = TURN_BITS
     ) -> Self:

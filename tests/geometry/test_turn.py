@@ -1,6 +1,7 @@
 """Rotations: rational ones are exact, others within the requested error, by trigonometry."""
 
 from fractions import Fraction
+from typing import Any
 
 import mpmath
 import pytest
@@ -9,7 +10,7 @@ from hypothesis import strategies as st
 
 from exactsweep import Polygon
 from exactsweep.geometry.turn import bound_half_tangent, read_turn
-from exactsweep.numbers.error import NumberError
+from exactsweep.numbers.error import ArgumentError, NumberError
 
 ANGLES = st.fractions(min_value=-720, max_value=720, max_denominator=10**6)
 
@@ -72,3 +73,9 @@ def test_a_turned_polygon_is_congruent_and_near_the_true_one() -> None:
     assert polygon.rotated(30) != turned
     with pytest.raises(NumberError):
         polygon.rotated((1, 1))
+
+
+@pytest.mark.parametrize("bits", ["8", 2.5, None])
+def test_wrong_bits_are_named(bits: Any) -> None:
+    with pytest.raises(ArgumentError, match=r"^bits is .*, not int$"):
+        Polygon([(0, 0), (1, 0), (0, 1)]).rotated(45, bits=bits)
