@@ -62,8 +62,9 @@ def merge_by_slope(generatrix: ConvexPart, directrix: ConvexPart) -> Graph:
     Cost: O(m + n).
     """
     gs, ds = generatrix.edges, directrix.edges
-    i, i_end = bisect_left(ds, generatrix.flattest), bisect_left(ds, generatrix.steepest)
-    j, j_end = bisect_left(gs, directrix.flattest), bisect_left(gs, directrix.steepest)
+    i, i_end = bisect_left(ds, generatrix.least_slope), bisect_left(ds, generatrix.greatest_slope)
+    j, j_end = bisect_left(gs, directrix.least_slope), bisect_left(gs, directrix.greatest_slope)
+    # The sort merges two ascending runs in linear time.
     edges = sorted(ds[i:i_end] + gs[j:j_end])
     i, j = i + directrix.first, j + generatrix.first
     (x, y, w), (u, v, z) = directrix.vertices[i], generatrix.vertices[j]

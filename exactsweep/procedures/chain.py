@@ -197,18 +197,18 @@ class ConvexPart(NamedTuple):
         vertices: the vertices of the whole chain.
         first: the index of the first vertex of the part.
         edges: the edges of the part, sorted by slope.
-        flattest, steepest: the bounds of all relevant edges.
+        least_slope, greatest_slope: the bounds of all relevant edges.
     """
 
     vertices: list[Homogeneous]
     first: int
     edges: list[SlopedEdge]
-    flattest: SlopeBound
-    steepest: SlopeBound
+    least_slope: SlopeBound
+    greatest_slope: SlopeBound
 
     def faces(self, other: ConvexPart) -> bool:
         """Decide whether two parts have edges that are relevant to each other."""
-        return self.flattest < other.steepest and other.flattest < self.steepest
+        return self.least_slope < other.greatest_slope and other.least_slope < self.greatest_slope
 
 
 def partition(generatrix: Chain, directrix: Chain) -> tuple[list[ConvexPart], list[ConvexPart]]:

@@ -52,19 +52,6 @@ def trajectory_cm(generatrix: Chain, directrix: Chain) -> Graph:
     return reduce(lower_envelope_cm, subtrajectories)
 
 
-def sweep_outer_cm(generatrix: Chain, bottom: Chain, directrix: Chain) -> Graph:
-    """Compute the outer boundary of the sweep of a convex G along a monotone D_b.
-
-    Procedure SweepO_CM: Trajectory_CM with the merged edges of reversed G_t and of `bottom` (G_b)
-    in place of reversed G_t. Cost: O(m n).
-
-    >>> bar, lid = Chain.of([(0, 0), (1, 0)]), Chain.of([(-1, 0), (0, 0)])
-    >>> list(sweep_outer_cm(lid, bar, Chain.of([(0, 0), (2, 2), (4, 0)])))
-    [(-1, 0), (1, 0), (2, 1), (3, 0), (5, 0)]
-    """
-    return trajectory_cm(trajectory_cc(generatrix, bottom).chain(), directrix)
-
-
 def sweep_inner_cm(generatrix: Chain, directrix: Chain, trajectory: Graph | None = None) -> Chain:
     """Compute the inner boundary of the sweep of a convex G_t along a monotone D_b.
 
@@ -101,6 +88,19 @@ def sweep_inner_cm(generatrix: Chain, directrix: Chain, trajectory: Graph | None
         undercuts.append((before, left, after, right))
     # Step 4: return D_b with the top chains of the undercuts replaced.
     return close(directrix, undercuts, bottoms)
+
+
+def sweep_outer_cm(generatrix: Chain, bottom: Chain, directrix: Chain) -> Graph:
+    """Compute the outer boundary of the sweep of a convex G along a monotone D_b.
+
+    Procedure SweepO_CM: Trajectory_CM with the merged edges of reversed G_t and of `bottom` (G_b)
+    in place of reversed G_t. Cost: O(m n).
+
+    >>> bar, lid = Chain.of([(0, 0), (1, 0)]), Chain.of([(-1, 0), (0, 0)])
+    >>> list(sweep_outer_cm(lid, bar, Chain.of([(0, 0), (2, 2), (4, 0)])))
+    [(-1, 0), (1, 0), (2, 1), (3, 0), (5, 0)]
+    """
+    return trajectory_cm(trajectory_cc(generatrix, bottom).chain(), directrix)
 
 
 def find_touched(

@@ -95,7 +95,7 @@ def find_crossing(a: int, b: int) -> Break:
     return (-b, a) if a > 0 else (b, -a)
 
 
-# LowerEnvelope_CM. P is the partial trajectory with edges P_i, S the subtrajectory with edges S_j.
+# LowerEnvelope_CM. P is the partial trajectory with pieces P_i, S the subtrajectory with pieces S_j.
 # The walk goes from right to left, from the lesser right end of P and S. Before each round, with x
 # the lesser right end of P_i and S_j,
 #
@@ -105,14 +105,14 @@ def find_crossing(a: int, b: int) -> Break:
 #
 #     (2)  P_i <= S_j at x: S takes over at x. P has a step there, or the walk has just begun.
 #     (3)  P_i < S_j at x': S takes over where the two lines cross.
-#     (4)  P_i >= S_j at x': (1) holds for x', and the walk passes the edges that begin at x'. At
+#     (4)  P_i >= S_j at x': (1) holds for x', and the walk passes the pieces that begin at x'. At
 #          the end of S, S takes over at x'; at the end of P, S replaces P.
 #
 # If S takes over at or right of its right end, P is unchanged. Otherwise S replaces everything in P
 # right of that point, even if S ends before P (see `mm`).
 
 
-def lower_envelope_cm(partial: Graph, piece: Graph) -> Graph:
+def lower_envelope_cm(partial: Graph, subtrajectory: Graph) -> Graph:
     """Extend the partial trajectory T_{i-1} in place by the subtrajectory T(G_t, D_i) (Appendix).
 
     Procedure LowerEnvelope_CM. "We traverse the subtrajectory from right to left. In the beginning,
@@ -121,21 +121,22 @@ def lower_envelope_cm(partial: Graph, piece: Graph) -> Graph:
     (Lemma A.3). Without its irrelevant edges, it may begin right of T_{i-1}: it is appended. It may
     also end first: the walk begins at its end.
 
-    Cost: O(edges of the piece + edges trimmed off), plus O(log n) if the piece ends first.
+    Cost: O(edges of the subtrajectory + edges trimmed off), plus O(log n) if it ends first.
     """
-    edges, breaks, others, ends = partial.pieces, partial.breaks, piece.pieces, piece.breaks
+    pieces, breaks = partial.pieces, partial.breaks
+    others, ends = subtrajectory.pieces, subtrajectory.breaks
     if precedes(breaks[-1], ends[0]):
-        edges.append(GAP)
+        pieces.append(GAP)
         breaks.append(ends[0])
     x, w = end = breaks[-1]
-    i, j = len(edges) - 1, -1
+    i, j = len(pieces) - 1, -1
     if precedes(ends[-1], end):
         x, w = end = ends[-1]
         i = bisect_left(breaks, True, key=lambda at: not precedes(at, end)) - 1
     while precedes(ends[j + 1], end):
         j += 1
     while i >= 0 and j >= 0:
-        a, b = subtract(edges[i], others[j])
+        a, b = subtract(pieces[i], others[j])
         if a * x + b * w <= 0:  # (2)
             break
         (x, w), (other_x, other_w) = breaks[i], ends[j]
@@ -152,7 +153,7 @@ def lower_envelope_cm(partial: Graph, piece: Graph) -> Graph:
     elif j < 0 or not precedes((x, w), ends[j + 1]):
         j += 1
     if j < len(others):
-        edges[i + 1 :] = others[j:]
+        pieces[i + 1 :] = others[j:]
         breaks[i + 1 :] = [(x, w), *ends[j + 1 :]]
     return partial
 

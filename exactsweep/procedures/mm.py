@@ -78,14 +78,6 @@ def sweep_mm(generatrix: Chain, bottom: Chain, directrix: Chain) -> tuple[Chain,
     return inner, sweep_outer_mm(bottom, path).chain()
 
 
-def sweep_outer_mm(bottom: Chain, path: Chain) -> Graph:
-    """Compute the outer boundary T(I(G), T): I(G) slides along the outside of T (Lemma 5.3).
-
-    `bottom` (G_b) is the reversed top chain of I(G). Cost: O(t n log n) for t edges of T.
-    """
-    return trajectory_mm(bottom, path)
-
-
 def sweep_inner_mm(generatrix: Chain, directrix: Chain, trajectory: Graph, path: Chain) -> Chain:
     """Compute the inner boundary T(I(G), -T): I(G) slides along the inside of T (Lemma 5.3).
 
@@ -101,6 +93,14 @@ def sweep_inner_mm(generatrix: Chain, directrix: Chain, trajectory: Graph, path:
     inside = trajectory_mm(generatrix, path.half_turn(), ranges)
     bottoms = [inside.clip(*span).chain().half_turn().vertices for span in reversed(ranges)]
     return close(directrix, undercuts, bottoms)
+
+
+def sweep_outer_mm(bottom: Chain, path: Chain) -> Graph:
+    """Compute the outer boundary T(I(G), T): I(G) slides along the outside of T (Lemma 5.3).
+
+    `bottom` (G_b) is the reversed top chain of I(G). Cost: O(t n log n) for t edges of T.
+    """
+    return trajectory_mm(bottom, path)
 
 
 def find_untouched(generatrix: Chain, directrix: Chain, trajectory: Graph) -> list[Untouched]:

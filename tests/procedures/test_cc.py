@@ -94,9 +94,9 @@ def test_a_sum_of_parts_has_their_relevant_edges_only(
     for (part,), left, right in zip(
         partition(Chain.of(one), Chain.of(other)), cut[::2], cut[1::2], strict=True
     ):
-        flattest = (part.edges[0][0],) if left else part.flattest
-        steepest = (part.edges[-1][0], inf) if right else part.steepest
-        parts.append(part._replace(flattest=flattest, steepest=steepest))
+        least_slope = (part.edges[0][0],) if left else part.least_slope
+        greatest_slope = (part.edges[-1][0], inf) if right else part.greatest_slope
+        parts.append(part._replace(least_slope=least_slope, greatest_slope=greatest_slope))
     g, d = parts
     found = list(merge_by_slope(g, d)) if g.faces(d) else []
     slopes = [[Fraction(y) / x for x, y in steps(chain)] for chain in (one, other)]

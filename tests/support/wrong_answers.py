@@ -98,7 +98,7 @@ def never_split(right: Procedure) -> Procedure:
     def find_convex_parts(*arguments: Any) -> Any:
         first, *others = right(*arguments)
         edges = [edge for part in (first, *others) for edge in part.edges]
-        return [first._replace(edges=edges, flattest=(-inf,), steepest=(inf,))]
+        return [first._replace(edges=edges, least_slope=(-inf,), greatest_slope=(inf,))]
 
     return find_convex_parts
 
