@@ -97,7 +97,8 @@ def to_graph(points: Sequence[Vertex]) -> Graph:
     pieces: list[Piece] = [
         (*line, *ends) for line, ends in zip(made.lines, pairwise(contacts), strict=True) if line[0]
     ]
-    return Graph([piece[3][0][::2] for piece in pieces] + [made.vertices[-1][::2]], pieces)
+    breaks = [chain.abscissa(start) for _, _, _, (start, _, _), _ in pieces]
+    return Graph([*breaks, chain.abscissa(made.vertices[-1])], pieces)
 
 
 def list_sub_trajectories(chains: Chains) -> list[Graph]:

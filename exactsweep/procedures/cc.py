@@ -68,8 +68,9 @@ def merge_by_slope(generatrix: ConvexPart, directrix: ConvexPart) -> Graph:
     edges = sorted(ds[i:i_end] + gs[j:j_end])
     i, j = i + directrix.first, j + generatrix.first
     (x, y, w), (u, v, z) = directrix.vertices[i], generatrix.vertices[j]
-    start: VertexContact = (x * z + u * w, y * z + v * w, w * z), i, j
-    breaks: list[Break] = [start[0][::2]]
+    at = x * z + u * w, w * z
+    start: VertexContact = (at[0], y * z + v * w, at[1]), i, j
+    breaks: list[Break] = [at]
     pieces: list[Piece] = []
     last: int | float | None = None
     for slope, of_generatrix, dx, dy, c in edges:

@@ -160,6 +160,12 @@ def precedes(first: Break, second: Break) -> bool:
     return first[0] * second[1] < second[0] * first[1]
 
 
+def abscissa(point: Homogeneous) -> Break:
+    """Return the abscissa of a point, not reduced."""
+    x, _, w = point
+    return x, w
+
+
 def find_point(line: tuple[int, int, int, *tuple[object, ...]], at: Break) -> Homogeneous:
     """Find the point of a line, or of a piece, at a break, reduced."""
     (dx, dy, c, *_), (x, w) = line, at

@@ -16,12 +16,14 @@ from __future__ import annotations
 from collections.abc import Iterable
 from functools import reduce
 from itertools import pairwise
+from typing import NamedTuple
 
 from exactsweep.procedures.cc import merge_by_slope, trajectory_cc
 from exactsweep.procedures.chain import (
     Break,
     Chain,
     Homogeneous,
+    abscissa,
     find_point,
     partition,
     precedes,
@@ -29,11 +31,17 @@ from exactsweep.procedures.chain import (
 )
 from exactsweep.procedures.graph import Graph, Piece, lower_envelope_cm, subtract
 
-Untouched = tuple[Piece, Break, Piece, Break]
-"""(before, left, after, right): an x-range of D_b that G does not touch.
 
-G touches D_b at `left` along the piece `before` of T, at `right` along the piece `after`.
-"""
+class Untouched(NamedTuple):
+    """An x-range of D_b that G does not touch, from left to right.
+
+    G touches D_b at `left` along the piece `before` of T, at `right` along the piece `after`.
+    """
+
+    before: Piece
+    left: Break
+    after: Piece
+    right: Break
 
 
 def trajectory_cm(generatrix: Chain, directrix: Chain) -> Graph:
@@ -83,10 +91,14 @@ def sweep_inner_cm(generatrix: Chain, directrix: Chain, trajectory: Graph | None
         of_g = reversed(generatrix.vertices[start[2] : end[2] + 1])
         placed = [(x * gw - gx * w, y * gw - gy * w, w * gw) for gx, gy, gw in of_g]
         bottoms.append(
-            [p for p in placed if not (precedes(p[::2], left) or precedes(right, p[::2]))]
+            [
+                p
+                for p in placed
+                if not precedes(abscissa(p), left) and not precedes(right, abscissa(p))
+            ]
         )
-        undercuts.append((before, left, after, right))
-    # Step 4: return D_b with the top chains of the undercuts replaced.
+        undercuts.append(Untouched(before, left, after, right))
+    # Steps 1 and 4: return a copy of D_b with the top chains of the undercuts replaced.
     return close(directrix, undercuts, bottoms)
 
 
@@ -107,11 +119,11 @@ def find_touched(
     generatrix: Chain, directrix: Chain, piece: Piece, start: Break, end: Break
 ) -> tuple[Break, Break]:
     """Find both ends of the x-range of D_b that G touches between two breaks of a piece."""
-    (_, i, j), (_, i_end, j_end) = piece[3:]
+    _, _, _, (_, i, j), (_, i_end, j_end) = piece
     (x, w), (u, v) = start, end
     (gx, _, gw), (hx, _, hw) = generatrix.vertices[j_end], generatrix.vertices[j]
     first, last = (x * gw - gx * w, w * gw), (u * hw - hx * v, v * hw)
-    left, right = directrix.vertices[i][::2], directrix.vertices[i_end][::2]
+    left, right = abscissa(directrix.vertices[i]), abscissa(directrix.vertices[i_end])
     return left if precedes(first, left) else first, right if precedes(right, last) else last
 
 
@@ -122,7 +134,8 @@ def close(
     inner: list[Homogeneous] = []
     done = 0
     for (before, left, after, right), bottom in zip(undercuts, bottoms, strict=True):
-        (*_, (_, i, _), _), (*_, (_, k, _)) = before, after
+        _, _, _, (_, i, _), _ = before
+        _, _, _, _, (_, k, _) = after
         inner += directrix.vertices[done : i + 1]
         inner += [_touch(directrix, before, left), *bottom, _touch(directrix, after, right)]
         done = k
@@ -131,5 +144,5 @@ def close(
 
 def _touch(directrix: Chain, piece: Piece, at: Break) -> Homogeneous:
     """Find the point of D_b at a break that G touches along a piece of T."""
-    (_, i, _), (_, i_end, _) = piece[3:]
+    _, _, _, (_, i, _), (_, i_end, _) = piece
     return find_point(directrix.lines[i], at) if i < i_end else directrix.vertices[i]

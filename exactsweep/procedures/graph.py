@@ -66,9 +66,11 @@ class Graph:
         """
         vertices = [find_point(self.pieces[0], self.breaks[0])]
         for (before, after), at in zip(pairwise(self.pieces), self.breaks[1:-1], strict=True):
-            if before[4] is after[3]:
-                # Successive edges of one sum: no arithmetic is needed.
-                vertices.append(after[3][0])
+            _, _, _, _, end = before
+            _, _, _, start, _ = after
+            if end is start:
+                # Successive edges of one subtrajectory: no arithmetic is needed.
+                vertices.append(start[0])
             elif any(subtract(before, after)):
                 vertices += dict.fromkeys((find_point(before, at), find_point(after, at)))
         vertices.append(find_point(self.pieces[-1], self.breaks[-1]))
@@ -95,9 +97,9 @@ def find_crossing(a: int, b: int) -> Break:
     return (-b, a) if a > 0 else (b, -a)
 
 
-# LowerEnvelope_CM. P is the partial trajectory with pieces P_i, S the subtrajectory with pieces S_j.
-# The walk goes from right to left, from the lesser right end of P and S. Before each round, with x
-# the lesser right end of P_i and S_j,
+# LowerEnvelope_CM. P is the partial trajectory with pieces P_i, S the subtrajectory with pieces
+# S_j. The walk goes from right to left, from the lesser right end of P and S. Before each round,
+# with x the lesser right end of P_i and S_j,
 #
 #     (1)  right of x, P is above S wherever both are defined.
 #

@@ -89,7 +89,7 @@ def sweep_inner_mm(generatrix: Chain, directrix: Chain, trajectory: Graph, path:
     undercuts = find_untouched(generatrix, directrix, trajectory)
     if not undercuts:
         return directrix
-    ranges = [((-x, w), (-u, v)) for _, (u, v), _, (x, w) in reversed(undercuts)]
+    ranges = [((-right, w), (-left, v)) for _, (left, v), _, (right, w) in reversed(undercuts)]
     inside = trajectory_mm(generatrix, path.half_turn(), ranges)
     bottoms = [inside.clip(*span).chain().half_turn().vertices for span in reversed(ranges)]
     return close(directrix, undercuts, bottoms)
@@ -117,7 +117,7 @@ def find_untouched(generatrix: Chain, directrix: Chain, trajectory: Graph) -> li
     _, reach, before = touched[0]
     for first, last, piece in touched:
         if precedes(reach, first):
-            found.append((before, reach, piece, first))
+            found.append(Untouched(before, reach, piece, first))
         if precedes(reach, last):
             reach, before = last, piece
     return found
