@@ -1,10 +1,10 @@
 """Evidence that loops and fits bound the sums: listed sums, and chains that cover their sides.
 
-(1) For each known edge, of a loop or a fit, sums with a side along it are listed, preferring those
-    with sides along the most known edges.
-(2) Each side of a listed sum is covered from its start to its end: by known edges, by the sum that
-    covered the end of the last side, by the largest listed sum, or by the largest sum of all, which
-    is then listed.
+(1) For each known edge, of a loop or a fit, sums with a side along it are listed, first those with
+    sides along the most known edges.
+(2) Each side of a listed sum is covered from its start to its end by, in order of preference, known
+    edges, the sum that covered the end of the last side, the largest listed sum, or the largest sum
+    of all, which is then listed.
 (3) An uncovered interval is a slit. Slits count as known edges.
 """
 

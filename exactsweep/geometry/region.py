@@ -304,7 +304,7 @@ def _check(exterior: Polygon, holes: Sequence[Polygon]) -> None:
 def _refuse_parted(
     rings: int, touching: dict[Vertex, set[int]], names: Sequence[str], scale: int
 ) -> None:
-    """Reject rings whose touching points disconnect the interior: their graph has a cycle."""
+    """Reject a disconnected interior: the graph of rings and touching points has a cycle."""
     group = list(range(rings))
 
     def leader(k: int) -> int:

@@ -14,7 +14,7 @@ from exactsweep.numbers.number import Edge, Rational, Vertex, ratio
 
 
 class Segment(NamedTuple):
-    """The range from low to high of a line, in x, or in y if the line is vertical."""
+    """The part of a line from low to high in x, or in y if the line is vertical."""
 
     direction: Vector
     offset: Rational

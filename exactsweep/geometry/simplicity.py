@@ -73,7 +73,7 @@ def _sweep(ring: Sequence[Vertex], order: Sequence[int]) -> Conflict | None:
 
 
 def _meet(ring: Sequence[Vertex], edges: Sequence[Edge], i: int, j: int) -> Conflict | None:
-    """Test two edges of a ring with distinct vertices and without edges that turn back."""
+    """Test two edges of a ring with distinct vertices and no spikes."""
     n = len(ring)
     if j - i in (1, n - 1) or touch(*edges[i], *edges[j]) == []:
         return None

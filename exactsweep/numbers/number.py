@@ -162,7 +162,7 @@ def ratio(value: int | Fraction, divisor: int | Fraction) -> int | Fraction:
 
 
 def find_root(square: Fraction) -> Fraction | None:
-    """Find the square root of a number of at least 0; None if it is irrational.
+    """Find the square root of a nonnegative number; None if it is irrational.
 
     >>> find_root(Fraction(9, 4)), find_root(Fraction(2))
     (Fraction(3, 2), None)

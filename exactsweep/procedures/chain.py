@@ -104,7 +104,7 @@ def scale_to_ints(x: Rational, y: Rational) -> Homogeneous:
 
 
 def inverse(points: Iterable[Vertex]) -> list[Vertex]:
-    """Mirror points about the origin, in the same order (Definition 5.1).
+    """Reflect points in the origin, in the same order (Definition 5.1).
 
     The bottom chain of a polygon becomes the top chain of its inverse, and vice versa.
 

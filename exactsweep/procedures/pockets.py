@@ -69,7 +69,7 @@ def _list_edges(ring: Sequence[Vertex]) -> Iterator[Edge]:
 
 
 def _walk(start: Vertex, following: dict[Vertex, Vertex], ends: set[Vertex]) -> list[Vertex]:
-    """Walk from a vertex to the next one at which a walk ends."""
+    """Walk from a vertex to the next one in `ends`."""
     walk = [start, following[start]]
     while walk[-1] not in ends:
         walk.append(following[walk[-1]])
