@@ -53,7 +53,7 @@ import re
 import sys
 from collections import Counter, defaultdict
 from collections.abc import Iterable, Iterator, Sequence
-from decimal import Decimal
+from decimal import Context, Decimal
 from fractions import Fraction
 from functools import lru_cache, reduce
 from itertools import accumulate, chain, pairwise, product
@@ -85,7 +85,8 @@ class Refused(Exception):  # noqa: N818
     def __init__(self, reason: str, *points: Point) -> None:
         self.witness = place(points[0]) if points else None
         for x, y, w in points[:1]:
-            reason += f", at ({Decimal(x) / w:.12g}, {Decimal(y) / w:.12g})"
+            a, b = (Context(traps=[]).divide(Decimal(n), w) for n in (x, y))
+            reason += f", at ({a:.12g}, {b:.12g})"
         super().__init__(reason)
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from decimal import Inexact, localcontext
 from fractions import Fraction
 from typing import Any
 
@@ -92,6 +93,16 @@ def test_text_and_sets_are_no_points(wrong: Any) -> None:
             verify(certificates()["CC"], **{name: polygon})
     with pytest.raises(PolygonError, match=r"^point is .*not a pair of numbers"):
         point_in_polygon(wrong, SQUARE)
+
+
+def test_a_witness_is_rounded_whatever_the_caller_traps() -> None:
+    wrong = json.loads(json.dumps(certificates()["CC"]))
+    wrong["exterior"][:2] = [["-1/3", "-100/3"]] * 2
+    with localcontext(traps={Inexact: True}):
+        verdict = verify(wrong)
+    assert not verdict.proved
+    assert verdict == verify(wrong)
+    assert verdict.reason.endswith(", at (-0.333333333333, -33.3333333333)")
 
 
 @pytest.mark.parametrize("steps", [0, -1, 1.5, True, "9"])
