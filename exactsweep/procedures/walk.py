@@ -80,7 +80,7 @@ def _walk_rings(
 ) -> Iterator[PieceRing]:
     """Trace the boundaries of free regions by (1); yield simple rings of pieces.
 
-    With `min`, trace the boundaries of overlap, of pieces that all bound it.
+    With `min`, trace the boundaries of overlap; all pieces must bound it.
     """
     leaving: defaultdict[HomogeneousPoint, list[OneSidedPiece]] = defaultdict(list)
     for piece in pieces:
