@@ -221,11 +221,11 @@ class SweepAnswer(Certified):
 
         Holes of D are not undercuts.
         """
-        pockets, frame = self.solution.pockets, self.solution.frame
-        if not pockets:
+        undercuts, frame = self.solution.undercuts, self.solution.frame
+        if not undercuts:
             return ()
         tracer, found = Tracer(self._route, self._boundaries[0]), []
-        for bottom, top in pockets:
+        for bottom, top in undercuts:
             intersection, positions = find_closing_positions(bottom, tracer)
             points = frame.leave(bottom + top[-2:0:-1])
             chain = tuple(points[: len(bottom)])

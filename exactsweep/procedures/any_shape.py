@@ -16,8 +16,8 @@ from exactsweep.geometry.frame import Frame, Kind
 from exactsweep.geometry.overlap import Relation, relate
 from exactsweep.geometry.region import Region, share_lattice
 from exactsweep.numbers.number import Fit, Point, Vertex
-from exactsweep.procedures.pockets import Pocket, find_pockets
 from exactsweep.procedures.positions import find_inner_fit, find_no_fit, find_sum, reflect
+from exactsweep.procedures.undercuts import UndercutChains, find_undercuts
 from exactsweep.procedures.walk import Free
 
 
@@ -91,7 +91,7 @@ class ShapeSolution:
         return sorted([loop for loop in self._inside if loop != self.inner] + self._outside.within)
 
     @cached_property
-    def pockets(self) -> list[Pocket]:
+    def undercuts(self) -> list[UndercutChains]:
         """The regions between D and the inner loop, without the holes of D."""
         inner = [self.frame.enter_point(vertex) for vertex in self.inner]
-        return find_pockets(inner, self.directrix[0])
+        return find_undercuts(inner, self.directrix[0])

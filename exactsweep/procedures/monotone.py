@@ -24,7 +24,7 @@ from exactsweep.procedures.cm import sweep_inner_cm, sweep_outer_cm, trajectory_
 from exactsweep.procedures.exact_fit import find_exact_fits
 from exactsweep.procedures.graph import Graph
 from exactsweep.procedures.mm import sweep_inner_mm, sweep_outer_mm, trajectory_mm
-from exactsweep.procedures.pockets import Pocket, find_pockets
+from exactsweep.procedures.undercuts import UndercutChains, find_undercuts
 
 
 class LowerMM:
@@ -184,6 +184,6 @@ class MonotoneSolution:
         return sorted(found)
 
     @cached_property
-    def pockets(self) -> list[Pocket]:
+    def undercuts(self) -> list[UndercutChains]:
         """The regions between D and the inner loop, along the inner loop, in the frame."""
-        return find_pockets(self._join(lambda half: half.inner), self.directrix[0])
+        return find_undercuts(self._join(lambda half: half.inner), self.directrix[0])

@@ -15,7 +15,7 @@ from exactsweep.numbers.number import Rational, Vertex
 from exactsweep.paper.kernel import find_convex_parts, to_graph, trajectory_cc, trajectory_cm
 from exactsweep.procedures.chain import Break, ChainError, split
 from exactsweep.procedures.graph import GAP, find_piece, lower_envelope_cm, lower_envelope_mm
-from exactsweep.procedures.pockets import keep_corners
+from exactsweep.procedures.undercuts import keep_corners
 
 Chain = list[Vertex]
 usually = examples(100)

@@ -20,7 +20,7 @@ from exactsweep.procedures import ceiling
 from exactsweep.procedures.chain import Chain, split
 from exactsweep.procedures.exact_fit import list_edges
 from exactsweep.procedures.mm import find_untouched
-from exactsweep.procedures.pockets import keep_corners
+from exactsweep.procedures.undercuts import keep_corners
 
 Choice = Callable[[list[Fraction]], Fraction]  # min or max
 

@@ -88,7 +88,7 @@ def _reasons(pair: SmallPair, answered: Any) -> Iterator[str]:
         yield "areas of the undercuts"
     for undercut in s.undercuts:
         if classify(d, undercut.polygon, (0, 0)).verdict != "CONTACT":
-            yield f"{undercut.polygon} is no pocket of D"
+            yield f"{undercut.polygon} is no undercut of D"
         for extreme in undercut.extremes:
             if point_in_polygon(extreme, d) or point_in_polygon(extreme, s.inner):
                 yield f"{extreme} is no extreme contact point"

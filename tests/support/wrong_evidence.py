@@ -7,12 +7,12 @@ from typing import Any
 from sabotage import Procedure, sabotage
 
 from exactsweep.evidence import contact, steps, undercut
-from exactsweep.procedures import exact_fit, pockets
+from exactsweep.procedures import exact_fit, undercuts
 
 
 @sabotage(
     "undercuts: all forgotten but the first",
-    pockets.find_pockets,
+    undercuts.find_undercuts,
     "Number of undercuts, MM",
     "Undercuts under ceilings",
     "Lemma 5.5",
@@ -47,7 +47,9 @@ def lose_parallel(right: Procedure) -> Procedure:
     return edge_contacts
 
 
-@sabotage("undercuts: the first one forgotten", pockets.find_pockets, "Two forms of a bottom chain")
+@sabotage(
+    "undercuts: the first one forgotten", undercuts.find_undercuts, "Two forms of a bottom chain"
+)
 def lose_first(right: Procedure) -> Procedure:
     return lambda *arguments: list(right(*arguments))[1:]
 
@@ -181,16 +183,16 @@ def hide_near_vertices(right: Procedure) -> Procedure:
 
 @sabotage(
     "undercuts: the narrowest of more than three is lost",
-    pockets.find_pockets,
+    undercuts.find_undercuts,
     "Number of undercuts, MM",
 )
 def lose_narrowest(right: Procedure) -> Procedure:
-    def find_pockets(*arguments: Any) -> Any:
+    def find_undercuts(*arguments: Any) -> Any:
         found = list(right(*arguments))
-        widths = [pocket.bottom[-1][0] - pocket.bottom[0][0] for pocket in found]
+        widths = [bottom[-1][0] - bottom[0][0] for bottom, _ in found]
         return [p for p, w in zip(found, widths, strict=True) if len(found) < 4 or w > min(widths)]
 
-    return find_pockets
+    return find_undercuts
 
 
 @sabotage("steps: all end at a corner", steps.explain, "Lemma A.1")

@@ -24,7 +24,7 @@ from exactsweep.paper.counts import count_all
 from exactsweep.paper.functions import list_edges, lower_undercuts
 from exactsweep.paper.kernel import sweep_mm
 from exactsweep.paper.pairs import SweepPair
-from exactsweep.procedures.pockets import find_pockets
+from exactsweep.procedures.undercuts import find_undercuts
 
 
 def find_long_undercut(effort: Effort) -> Iterator[Observation]:
@@ -86,12 +86,12 @@ def _list_drawn(s: Sweep, positions: Sequence[Point]) -> list[tuple[Point, Point
     return drawn
 
 
-def pockets(pair: SweepPair) -> int:
+def count_lower_undercuts(pair: SweepPair) -> int:
     """Count the undercuts of the lower sweep, closing both chains with a lid."""
     inner, directrix = sweep_mm(*pair.chains)[0], pair.chains.directrix
     above = 1 + max(y for _, y in directrix)
     lid = [(directrix[-1][0] + 1, above), (directrix[0][0] - 1, above)]
-    return len(find_pockets([*inner, *lid], [*directrix, *lid]))
+    return len(find_undercuts([*inner, *lid], [*directrix, *lid]))
 
 
 def count_undercuts(effort: Effort) -> Iterator[Observation]:

@@ -3,7 +3,7 @@
 import pytest
 
 from exactsweep.numbers.number import Vertex
-from exactsweep.procedures.pockets import Pocket, find_pockets, keep_corners
+from exactsweep.procedures.undercuts import UndercutChains, find_undercuts, keep_corners
 
 Chain = list[Vertex]
 
@@ -49,11 +49,11 @@ def under_lid(chain: Chain) -> Chain:
         ),
     ],
 )
-def test_pockets_by_hand(
+def test_undercuts_by_hand(
     sign: int, inner: Chain, directrix: Chain, expected: list[tuple[Chain, Chain]]
 ) -> None:
     def turn(chain: Chain) -> Chain:
         return [(sign * x, y) for x, y in chain][::sign]
 
-    found = find_pockets(under_lid(turn(inner)), under_lid(turn(directrix)))
-    assert found == [Pocket(turn(bottom), turn(top)) for bottom, top in expected][::sign]
+    found = find_undercuts(under_lid(turn(inner)), under_lid(turn(directrix)))
+    assert found == [UndercutChains(turn(bottom), turn(top)) for bottom, top in expected][::sign]

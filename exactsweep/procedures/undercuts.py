@@ -18,22 +18,22 @@ from exactsweep.numbers.number import Edge, Vertex
 from exactsweep.procedures.chain import take_corners
 
 
-class Pocket(NamedTuple):
-    """An undercut as two chains with common ends; the region lies left of the bottom chain."""
+class UndercutChains(NamedTuple):
+    """The chains of an undercut, with common ends; the region lies left of the bottom chain."""
 
     bottom: list[Vertex]
     top: list[Vertex]
 
 
-def find_pockets(loop: Sequence[Vertex], directrix: Sequence[Vertex]) -> list[Pocket]:
+def find_undercuts(loop: Sequence[Vertex], directrix: Sequence[Vertex]) -> list[UndercutChains]:
     """Find the regions between D and the inner loop around it, both counter-clockwise.
 
     They follow the order of their bottom chains along the loop. Regions that share only a point or
     a vertical edge are separate. Cost: that of `EdgeIndex.near` for each edge of the loop.
 
     >>> roof = [(0, 0), (3, 0), (3, 3), (2, 1), (1, 3), (0, 3)]
-    >>> find_pockets([(0, 0), (3, 0), (3, 3), (0, 3)], roof)
-    [Pocket(bottom=[(3, 3), (1, 3)], top=[(3, 3), (2, 1), (1, 3)])]
+    >>> find_undercuts([(0, 0), (3, 0), (3, 3), (0, 3)], roof)
+    [UndercutChains(bottom=[(3, 3), (1, 3)], top=[(3, 3), (2, 1), (1, 3)])]
     """
     index = EdgeIndex([directrix])
     shared: defaultdict[Edge, set[Vertex]] = defaultdict(set)
@@ -57,7 +57,7 @@ def find_pockets(loop: Sequence[Vertex], directrix: Sequence[Vertex]) -> list[Po
     touching = {point for edge in _list_edges(directrix) for point in (edge[0], *shared[edge])}
     # D's exterior is simple, so one piece leaves each vertex.
     return [
-        Pocket(keep_corners(bottom), keep_corners(_walk(bottom[-1], back, {start})[::-1]))
+        UndercutChains(keep_corners(bottom), keep_corners(_walk(bottom[-1], back, {start})[::-1]))
         for start in ahead
         if start in touching
         for bottom in [_walk(start, ahead, touching)]
