@@ -90,7 +90,7 @@ def _find_point(p: Vertex, q: Vertex, at: Rational) -> Vertex:
 
 def _find_pieces(shape: EdgeIndex, other: EdgeIndex, *, keeps_shared: bool) -> Iterator[Edge]:
     """Yield the pieces of a boundary that bound the intersection, by (2)."""
-    for left, right, low, high, ax, ay, bx, by, _, _ in shape.edges:
+    for left, right, low, high, ax, ay, bx, by, _, _ in shape.near(other.box):
         p, q = (ax, ay), (bx, by)
         cuts = _Cuts({0, 1}, [])
         for edge in other.near((left, right, low, high)):

@@ -202,8 +202,7 @@ def _find_point(board: Board, fault: Fault, bits: int) -> Point | None:
             return None
         p, q = found.points
         return Point((p.x + q.x) / 2, (p.y + q.y) / 2)
-    witness = find_witness(a, b)
-    return witness and witness.point
+    return find_witness(a, b)
 
 
 def _list_outside(board: Board) -> list[_PieceRings]:

@@ -140,14 +140,14 @@ def find_clearance(a: Solid, b: Solid, within: Fraction | None = None) -> Cleara
     return best
 
 
-def find_rounded_witness(a: Solid, b: Solid) -> tuple[Point, tuple[int, int]] | None:
-    """Find a point deeper in both solids than their slacks, and its pieces; None if not found."""
+def find_rounded_witness(a: Solid, b: Solid) -> Point | None:
+    """Find a point deeper in both solids than their slacks; None if not found."""
     slack = a.slack + b.slack
     for one in list_clearances(a, b, -slack):
         if one.is_below(-slack):
             point = (_find_outside if isinstance(b.form, OutsideForm) else _find_inside)(a, b, one)
             if point is not None:
-                return a.leave(*point), one.pieces
+                return a.leave(*point)
     return None
 
 

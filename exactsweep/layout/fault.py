@@ -80,7 +80,7 @@ class Fault:
         a, b = self.find_pair(self._bits)
         found = find_witness(a, b)
         assert found is not None
-        return (found.point,)
+        return (found,)
 
     def find_pair(self, bits: int) -> tuple[Solid, Solid]:
         """Return the two solids of a fault, on a common lattice; an obstacle comes second."""

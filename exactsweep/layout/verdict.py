@@ -4,21 +4,18 @@ Let d be the sum of the slacks of two solids, and s their required distance.
 
 (1) If the solids are more than d apart, the true solids are disjoint. If their distance is at least
     s + d, the true distance is at least s; if it is less than s - d, the true one is less than s.
-(2) A point inside a convex piece of a solid, farther from its sides than the slack, is inside the
-    true solid.
+(2) A point inside a solid, farther from its boundary than the slack, is inside the true solid.
 (3) More precise rotations lower only their own part of the slack. If nearly all of it is due to
     flattened curves, only a finer flattening can decide.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from fractions import Fraction
-from itertools import pairwise
 from typing import NamedTuple
 
-from exactsweep.geometry.convex import ConvexRing
-from exactsweep.geometry.distance import SquaredDistance, measure_to_edge
+from exactsweep.geometry.distance import SquaredDistance
 from exactsweep.geometry.overlap import Relation
 from exactsweep.layout.clearance import (
     find_clearance,
@@ -26,15 +23,14 @@ from exactsweep.layout.clearance import (
     is_rounded,
     measure_gap,
 )
+from exactsweep.layout.deep import find_deep_point
 from exactsweep.layout.nearest import find_gap
-from exactsweep.layout.pieces import bound_piece, clip, find_common_point
-from exactsweep.layout.solid import LatticeBox, Solid, meet, share_scale
-from exactsweep.numbers.number import Point, Vertex
+from exactsweep.layout.solid import Solid, meet, share_scale
+from exactsweep.numbers.number import Point
 
 MOST_BITS = 256
 """Maximum precision of rational rotations, in bits."""
 
-_MANY = 32
 # Rotations are precise enough if curves have this many times their slack, by (3).
 _SHARE = 1000
 
@@ -58,13 +54,6 @@ class PairVerdict(NamedTuple):
     bits: int
     slack: Fraction
     error: Fraction = Fraction(0)
-
-
-class CommonPoint(NamedTuple):
-    """A point inside two solids, and for each the index of a piece that contains it."""
-
-    point: Point
-    pieces: tuple[int, int]
 
 
 Refine = Callable[[int], tuple[Solid, Solid]]
@@ -131,41 +120,6 @@ def _decide_rounded(a: Solid, b: Solid, bits: int, spacing: Fraction) -> PairVer
     return PairVerdict(meeting, gap, too_close, bits, slack, a.error + b.error)
 
 
-def find_witness(a: Solid, b: Solid) -> CommonPoint | None:
+def find_witness(a: Solid, b: Solid) -> Point | None:
     """Find a point inside both true solids, by (2); None if not found. They share a lattice."""
-    if is_rounded(a, b):
-        found = find_rounded_witness(a, b)
-        return found and CommonPoint(*found)
-    ours, theirs = ([(bound_piece(piece), piece) for piece in solid.pieces] for solid in (a, b))
-    for i, ((left, right, low, high), one) in enumerate(ours):
-        for j, ((west, east, south, north), other) in enumerate(theirs):
-            if left < east and west < right and low < north and south < high:
-                # Flattened curves have thousands of vertices, most of them far away.
-                box = max(left, west), min(right, east), max(low, south), min(high, north)
-                point = find_common_point(_cut(one, box), _cut(other, box))
-                if (
-                    point is not None
-                    and _is_deep(point, one, a.slack * a.scale)
-                    and _is_deep(point, other, b.slack * b.scale)
-                ):
-                    return CommonPoint(a.leave(*point), (i, j))
-    return None
-
-
-def _cut(piece: ConvexRing, box: LatticeBox) -> Sequence[Vertex]:
-    if len(piece) < _MANY:
-        return piece
-    left, right, low, high = box
-    ring: Sequence[Vertex] = piece
-    for axis, least, most in ((0, left, right), (1, low, high)):
-        ring = [*clip(ring, [most - point[axis] for point in ring])]
-        ring = [*clip(ring, [point[axis] - least for point in ring])]
-    return ring
-
-
-def _is_deep(point: Point, piece: ConvexRing, slack: Fraction) -> bool:
-    """Return whether a point inside a piece is farther from its sides than the slack."""
-    if not slack:
-        return True
-    sides = (measure_to_edge(point, side) for side in pairwise((*piece, piece[0])))
-    return all(square > slack * slack * length for square, length in sides)
+    return find_rounded_witness(a, b) if is_rounded(a, b) else find_deep_point(a, b)
