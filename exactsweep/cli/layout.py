@@ -11,13 +11,8 @@ from typing import TYPE_CHECKING, Any, Literal, NamedTuple
 
 import click
 
-from exactsweep.cli.layout_rows import (
-    LayoutRow,
-    judge_file,
-    judge_finely,
-    list_notes,
-    write_rows,
-)
+from exactsweep.cli.layout_curves import judge_found, refine_curves
+from exactsweep.cli.layout_rows import LayoutRow, judge_file, list_notes, write_rows
 from exactsweep.cli.options import PATH, checked, gather, takes_file, takes_output, takes_workers
 from exactsweep.cli.output import measure_columns, write, write_readable
 from exactsweep.cli.pair import ReadingOptions, takes_reading
@@ -255,8 +250,10 @@ def _judge_one(
 
     placed = len(found.data["placements"])
     with working(f"judging {placed} placements") as tell:
-        judgement = judge_finely(found, gaps, title)
-        notes = list_notes(found, judgement)
+        coarse = judge_found(found, gaps, title)
+        # Another convention explains deep faults only, and those need no finer curves.
+        notes = list_notes(found, coarse)
+        judgement = refine_curves(found, coarse, gaps, title)
         context = report.ReportContext(found.unchecked, found.places, found.unit, rules.accept)
         ranked = report.rank_faults(
             judgement, lambda k, n: tell(f"measuring fault {k + 1} of {n}"), rules.accept

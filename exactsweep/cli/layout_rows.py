@@ -4,18 +4,15 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from fractions import Fraction
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
-from exactsweep.formats import FormatError, show_path
-from exactsweep.numbers.error import name_refusals
+from exactsweep.cli.layout_curves import judge_finely
+from exactsweep.formats import show_path
 from exactsweep.words import spell_out
 
 if TYPE_CHECKING:
     from exactsweep.formats.layouts import FoundLayout
     from exactsweep.layout import Judgement
-
-# The factor on the tolerance when curves are flattened again, and the maximum number of times.
-_FINER, _MOST_FINER = Fraction(1, 100), 2
 
 
 class LayoutRow(NamedTuple):
@@ -43,42 +40,6 @@ def list_notes(found: FoundLayout, judgement: Judgement) -> list[str]:
     if not any("radians" in guess for guess in guesses):
         guesses += find_radians(judgement.layout)
     return [*map(spell_out, found.notes), *guesses]
-
-
-def judge_finely(found: FoundLayout, gaps: Mapping[str, str], title: str) -> Judgement:
-    """Judge a layout; flatten the curves of undecided parts more finely, up to a budget."""
-    from exactsweep.layout import judge_layout
-
-    data, judgement = found.data, judge_layout(_make(found, gaps, title))
-    for _ in range(_MOST_FINER):
-        layout = judgement.layout
-        unsure = [f for f in judgement.faults if f.kind == "undecided" and f.error]
-        if not unsure or found.flatten is None:
-            break
-        names: set[str | None] = {layout.placements[k].part for f in unsure for k in f.placements}
-        if any(len(f.placements) == 1 for f in unsure):
-            names.add(None)
-        errors = [layout.error if n is None else layout.part_by_id[n].error for n in names]
-        names -= {name for name, error in zip(names, errors, strict=True) if not error}
-        try:
-            finer = found.flatten(names, max(errors) * _FINER)
-        except FormatError:
-            # Too many lines.
-            break
-        if not finer:
-            break
-        parts = [{**part, **finer.get(part["id"], {})} for part in data["parts"]]
-        walls = {"container": finer[None]} if finer.get(None) else {}
-        data = {**data, **walls, "parts": parts}
-        judgement = judge_layout(_make(found._replace(data=data), gaps, title))
-    return judgement
-
-
-def _make(found: FoundLayout, gaps: Mapping[str, str], title: str) -> Any:
-    from exactsweep.layout import Layout
-
-    with name_refusals(title):
-        return Layout.from_json({**found.data, **gaps})
 
 
 def judge_file(

@@ -32,7 +32,8 @@ _SCALES = (
     Fraction(480, 127),
     Fraction(360, 127),
 )
-_PLACED = {"overlap", "outside", "undecided"}
+_DECIDED = {"overlap", "outside"}
+_PLACED = _DECIDED | {"undecided"}
 
 # Overlaps this many times smaller than the parts are due to rounding.
 _ROUNDING = 10**6
@@ -51,7 +52,7 @@ def diagnose(judgement: Judgement) -> list[str]:
     layout, faults = judgement.layout, _count_faults(judgement)
     if any(part.pieces for part in layout.parts) or isinstance(layout.container, RoundedPiece):
         return []
-    wrong = {k for f in judgement.faults if f.kind in _PLACED for k in f.placements}
+    wrong = {k for f in judgement.faults if f.kind in _DECIDED for k in f.placements}
     if len(wrong) < max(_FEW, len(layout.placements) / _SHARE) or len(wrong) > _MANY:
         return []
     if all(f.is_within(judgement._board.grain / _ROUNDING) for f in judgement.faults[:_FEW]):
