@@ -98,7 +98,8 @@ def test_text_and_sets_are_no_points(wrong: Any) -> None:
 def test_a_witness_is_rounded_whatever_the_caller_traps() -> None:
     wrong = json.loads(json.dumps(certificates()["CC"]))
     wrong["exterior"][:2] = [["-1/3", "-100/3"]] * 2
-    with localcontext(traps={Inexact: True}):
+    with localcontext() as context:
+        context.traps[Inexact] = True
         verdict = verify(wrong)
     assert not verdict.proved
     assert verdict == verify(wrong)
