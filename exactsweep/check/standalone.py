@@ -84,9 +84,8 @@ class Refused(Exception):  # noqa: N818
 
     def __init__(self, reason: str, *points: Point) -> None:
         self.witness = place(points[0]) if points else None
-        for x, y, w in points[:1]:
-            a, b = (Context(traps=[]).divide(Decimal(n), w) for n in (x, y))
-            reason += f", at ({a:.12g}, {b:.12g})"
+        for *p, w in points[:1]:
+            reason += ", at ({:.12g}, {:.12g})".format(*(Context(traps=[]).divide(n, w) for n in p))
         super().__init__(reason)
 
 
