@@ -18,7 +18,7 @@ from exactsweep.geometry.region import Region, share_lattice
 from exactsweep.numbers.number import Fit, Point, Vertex
 from exactsweep.procedures.positions import find_inner_fit, find_no_fit, find_sum, reflect
 from exactsweep.procedures.undercuts import UndercutChains, find_undercuts
-from exactsweep.procedures.walk import Free
+from exactsweep.procedures.walk import FreeBoundary
 
 
 class ShapeSolution:
@@ -36,7 +36,7 @@ class ShapeSolution:
         self.frame = Frame(X_AXIS, scale)
 
     @cached_property
-    def _no_fit(self) -> Free:
+    def _no_fit(self) -> FreeBoundary:
         return find_no_fit(self.directrix, self.generatrix, self.frame.scale)
 
     @cached_property
@@ -60,7 +60,7 @@ class ShapeSolution:
         return [[self.frame.enter_point(vertex) for vertex in self.trajectory]]
 
     @cached_property
-    def _outside(self) -> Free:
+    def _outside(self) -> FreeBoundary:
         """The positions p with I(G) + p outside T."""
         return find_sum(self._path, self.generatrix, self.frame.scale)
 

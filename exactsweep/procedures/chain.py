@@ -25,7 +25,7 @@ V = TypeVar("V", bound=tuple[Rational, Rational, Rational])
 Break = tuple[int, int]
 """(x, w): the abscissa x/w, w > 0; not reduced."""
 
-Homogeneous = tuple[int, int, int]
+HomogeneousPoint = tuple[int, int, int]
 """(x, y, w): the point (x/w, y/w), w > 0."""
 
 Line = tuple[int, int, int]
@@ -49,7 +49,7 @@ class Chain:
     [(-2, 0), (-1, 1), (0, 0)]
     """
 
-    def __init__(self, vertices: list[Homogeneous]) -> None:
+    def __init__(self, vertices: list[HomogeneousPoint]) -> None:
         self.vertices = vertices
         self._parts: dict[tuple[int, int], list[ConvexPart]] = {}
 
@@ -95,7 +95,7 @@ class Chain:
         return Chain([(-x, -y, w) for x, y, w in reversed(self.vertices)])
 
 
-def scale_to_ints(x: Rational, y: Rational) -> Homogeneous:
+def scale_to_ints(x: Rational, y: Rational) -> HomogeneousPoint:
     """Return the homogeneous coordinates of a point."""
     if isinstance(x, int) and isinstance(y, int):
         return x, y, 1
@@ -160,13 +160,13 @@ def precedes(first: Break, second: Break) -> bool:
     return first[0] * second[1] < second[0] * first[1]
 
 
-def abscissa(point: Homogeneous) -> Break:
+def abscissa(point: HomogeneousPoint) -> Break:
     """Return the abscissa of a point, not reduced."""
     x, _, w = point
     return x, w
 
 
-def find_point(line: tuple[int, int, int, *tuple[object, ...]], at: Break) -> Homogeneous:
+def find_point(line: tuple[int, int, int, *tuple[object, ...]], at: Break) -> HomogeneousPoint:
     """Find the point of a line, or of a piece, at a break, reduced."""
     (dx, dy, c, *_), (x, w) = line, at
     if not dx:
@@ -206,7 +206,7 @@ class ConvexPart(NamedTuple):
         least_slope, greatest_slope: the bounds of all relevant edges.
     """
 
-    vertices: list[Homogeneous]
+    vertices: list[HomogeneousPoint]
     first: int
     edges: list[SlopedEdge]
     least_slope: SlopeBound

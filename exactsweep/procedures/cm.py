@@ -22,7 +22,7 @@ from exactsweep.procedures.cc import merge_by_slope, trajectory_cc
 from exactsweep.procedures.chain import (
     Break,
     Chain,
-    Homogeneous,
+    HomogeneousPoint,
     abscissa,
     find_point,
     partition,
@@ -76,7 +76,7 @@ def sweep_inner_cm(generatrix: Chain, directrix: Chain, trajectory: Graph | None
         trajectory = trajectory_cm(generatrix, directrix)
     # Step 3: for each intersection of subtrajectories, find the bottom chain of the undercut.
     undercuts: list[Untouched] = []
-    bottoms: list[list[Homogeneous]] = []
+    bottoms: list[list[HomogeneousPoint]] = []
     joints = zip(pairwise(trajectory.pieces), trajectory.breaks[1:-1], strict=True)
     for (before, after), at in joints:
         (*_, end), (*_, start, _) = before, after
@@ -128,10 +128,10 @@ def find_touched(
 
 
 def close(
-    directrix: Chain, undercuts: Iterable[Untouched], bottoms: Iterable[list[Homogeneous]]
+    directrix: Chain, undercuts: Iterable[Untouched], bottoms: Iterable[list[HomogeneousPoint]]
 ) -> Chain:
     """Replace the top chains of undercuts, pieces of D_b, by their bottom chains (Figure 7)."""
-    inner: list[Homogeneous] = []
+    inner: list[HomogeneousPoint] = []
     done = 0
     for (before, left, after, right), bottom in zip(undercuts, bottoms, strict=True):
         _, _, _, (_, i, _), _ = before
@@ -142,7 +142,7 @@ def close(
     return Chain(take_corners(inner + directrix.vertices[done:]))
 
 
-def _touch(directrix: Chain, piece: Piece, at: Break) -> Homogeneous:
+def _touch(directrix: Chain, piece: Piece, at: Break) -> HomogeneousPoint:
     """Find the point of D_b at a break that G touches along a piece of T."""
     _, _, _, (_, i, _), (_, i_end, _) = piece
     return find_point(directrix.lines[i], at) if i < i_end else directrix.vertices[i]

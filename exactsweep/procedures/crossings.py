@@ -19,15 +19,13 @@ from math import gcd
 from typing import NamedTuple
 
 from exactsweep.geometry.near import find_near
-from exactsweep.procedures.segments import BOTH, ContactSegment, LatticeLine, Parameter
-
-HomogeneousPoint = tuple[int, int, int]
-"""The point (x / w, y / w) as coprime ints (x, y, w), w > 0."""
+from exactsweep.procedures.chain import HomogeneousPoint, Line
+from exactsweep.procedures.segments import BOTH, ContactSegment, Parameter
 
 OneSidedPiece = tuple[HomogeneousPoint, HomogeneousPoint, int, int]
 """A piece with overlap on its left: its start, its end, its direction."""
 
-TwoSidedPiece = tuple[LatticeLine, HomogeneousPoint, HomogeneousPoint]
+TwoSidedPiece = tuple[Line, HomogeneousPoint, HomogeneousPoint]
 """A piece with overlap on both sides: its line, its lower and its upper end."""
 
 
@@ -138,8 +136,8 @@ def _find_left_over(
     return [(find_point(line, *p), find_point(line, *q)) for p, q in left]
 
 
-def find_point(line: LatticeLine, n: int, d: int) -> HomogeneousPoint:
-    """Return the point of a line at the parameter n / d."""
+def find_point(line: Line, n: int, d: int) -> HomogeneousPoint:
+    """Return the point of a line at the parameter n / d, reduced."""
     dx, dy, c = line
     x, y, w = (n * dx, n * dy + c * d, dx * d) if dx else (-c * d, n * dy, dy * d)
     common = gcd(x, y, w)

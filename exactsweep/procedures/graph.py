@@ -17,9 +17,9 @@ from collections.abc import Iterator, Sequence
 from itertools import pairwise
 
 from exactsweep.numbers.number import Vertex
-from exactsweep.procedures.chain import Break, Chain, Homogeneous, find_point, precedes
+from exactsweep.procedures.chain import Break, Chain, HomogeneousPoint, find_point, precedes
 
-VertexContact = tuple[Homogeneous, int, int]
+VertexContact = tuple[HomogeneousPoint, int, int]
 """(position, i, j): at this position of G vertex i of D_b meets vertex j of reversed G_t (VV)."""
 
 Piece = tuple[int, int, int, VertexContact, VertexContact]

@@ -27,12 +27,12 @@ from exactsweep.geometry.canonical import find_doubled_area
 from exactsweep.geometry.edges import EdgeIndex, Rings
 from exactsweep.geometry.overlap import Relation, find_outside, relate
 from exactsweep.numbers.number import Fit, Point, Rational, Vertex
-from exactsweep.procedures.chain import inverse
+from exactsweep.procedures.chain import HomogeneousPoint, inverse
 from exactsweep.procedures.cover import leave_out_covered
-from exactsweep.procedures.crossings import HomogeneousPoint, Pieces, cut
+from exactsweep.procedures.crossings import Pieces, cut
 from exactsweep.procedures.neighbours import leave_out_overlapped
 from exactsweep.procedures.segments import ContactSegment, find_contact_segments
-from exactsweep.procedures.walk import Free, Test, find_free
+from exactsweep.procedures.walk import FreeBoundary, OverlapTest, find_free
 
 
 class FreeRegions(NamedTuple):
@@ -41,14 +41,14 @@ class FreeRegions(NamedTuple):
     Attributes:
         regions: the free regions, each with its exterior and the loops around overlap inside it,
             all counter-clockwise; sorted by area.
-        fits: the exact fits, as for `Free`.
+        fits: the exact fits, as for `FreeBoundary`.
     """
 
     regions: list[tuple[list[Point], list[list[Point]]]]
     fits: list[Fit]
 
 
-def find_no_fit(stationary: Rings, orbiting: Rings, scale: int = 1) -> Free:
+def find_no_fit(stationary: Rings, orbiting: Rings, scale: int = 1) -> FreeBoundary:
     """Find the no-fit polygon of two shapes, D and G, with its holes and exact fits.
 
     Rings have the interior on the left. Positions of G's origin are divided by the scale.
@@ -63,7 +63,7 @@ def find_no_fit(stationary: Rings, orbiting: Rings, scale: int = 1) -> Free:
     return find_sum(stationary, reflect(orbiting), scale)
 
 
-def find_sum(stationary: Rings, moving: Rings, scale: int = 1) -> Free:
+def find_sum(stationary: Rings, moving: Rings, scale: int = 1) -> FreeBoundary:
     """Find the boundary of the sum of two shapes, or of a shape and a path.
 
     The exact fits are points of the closed sum that are not in the sum of the interiors. A path has
@@ -164,7 +164,7 @@ def reflect(rings: Rings) -> list[list[Vertex]]:
 
 def _prepare(
     segments: Sequence[ContactSegment], obstacles: Sequence[Rings], moving: Sequence[Rings]
-) -> tuple[Pieces, Test]:
+) -> tuple[Pieces, OverlapTest]:
     """Return the pieces that may bound free positions, and the test of a position."""
     segments = leave_out_covered(segments, obstacles, moving)
     parts = [EdgeIndex(reflect(rings)) for rings in moving]

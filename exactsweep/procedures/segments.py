@@ -32,9 +32,7 @@ from operator import itemgetter
 from exactsweep.geometry.direction import reduce_direction
 from exactsweep.geometry.edges import Rings
 from exactsweep.numbers.number import Rational, Vertex
-
-LatticeLine = tuple[int, int, int]
-"""The line dx * y - dy * x = c as (dx, dy, c), coprime, with dx > 0, or dx = 0 < dy."""
+from exactsweep.procedures.chain import Line
 
 Parameter = tuple[int, int]
 """A parameter n / d of a line, d > 0: the value of x, or of y if the line is vertical."""
@@ -66,6 +64,7 @@ class ContactSegment:
     """A piece of a line along which contact segments have the same directions.
 
     Attributes:
+        line: its line in coprime ints, with dx > 0, or dx = 0 < dy.
         low, high: the parameters of the ends.
         sides: the sides of the line with overlap, by (2).
         low_sides, high_sides: the sides on which overlap passes through the ends.
@@ -73,7 +72,7 @@ class ContactSegment:
         cuts, keys: the crossings with other segments, and the keys of the ends; see `crossings`.
     """
 
-    line: LatticeLine
+    line: Line
     low: Parameter
     high: Parameter
     sides: Sides
@@ -118,7 +117,7 @@ def find_contact_segments(
         [edge for rings in shapes for ring in rings for edge in ring]
     )
     ranked = [[[(angle(edge), edge) for edge in ring] for ring in rings] for rings in shapes]
-    pieces: defaultdict[LatticeLine, list[tuple[Rational, Rational, bool]]] = defaultdict(list)
+    pieces: defaultdict[Line, list[tuple[Rational, Rational, bool]]] = defaultdict(list)
     for edges_of, rings, vertices_of in (
         (ranked[0], moving, ranked[1]),
         (ranked[1], stationary, ranked[0]),
@@ -137,7 +136,7 @@ def find_contact_segments(
 def _move(
     edges: Iterable[EdgeFeature],
     vertex: Vertex,
-    pieces: defaultdict[LatticeLine, list[tuple[Rational, Rational, bool]]],
+    pieces: defaultdict[Line, list[tuple[Rational, Rational, bool]]],
 ) -> None:
     """Add edges, moved by a vertex, to the pieces of their lines."""
     x, y = vertex
@@ -199,9 +198,7 @@ def _find_convex_vertices(angles: Sequence[int], full_turn: int) -> Iterator[tup
             yield k, first, last
 
 
-def _join(
-    line: LatticeLine, pieces: list[tuple[Rational, Rational, bool]]
-) -> Iterator[ContactSegment]:
+def _join(line: Line, pieces: list[tuple[Rational, Rational, bool]]) -> Iterator[ContactSegment]:
     """Yield the segments with constant sides that the contact segments of one line form."""
     if len(pieces) == 1:
         ((low, high, ahead),) = pieces

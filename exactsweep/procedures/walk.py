@@ -15,14 +15,15 @@ from typing import NamedTuple
 
 from exactsweep.geometry.vectors import angle_key
 from exactsweep.numbers.number import Fit, Point, divide
-from exactsweep.procedures.crossings import HomogeneousPoint, OneSidedPiece, Pieces, TwoSidedPiece
+from exactsweep.procedures.chain import HomogeneousPoint
+from exactsweep.procedures.crossings import OneSidedPiece, Pieces, TwoSidedPiece
 
 PieceRing = Sequence[OneSidedPiece]
-Test = Callable[[HomogeneousPoint], bool]
+OverlapTest = Callable[[HomogeneousPoint], bool]
 """A predicate for positions in O, which need not be reduced."""
 
 
-class Free(NamedTuple):
+class FreeBoundary(NamedTuple):
     """The boundary of the free positions as canonical loops, and the exact fits.
 
     Attributes:
@@ -39,11 +40,11 @@ class Free(NamedTuple):
 
 def find_free(
     pieces: Pieces,
-    overlaps: Test,
+    overlaps: OverlapTest,
     scale: int = 1,
     *,
     around_overlap: bool = False,
-) -> Free:
+) -> FreeBoundary:
     """Find the loops and the exact fits among pieces of contact segments.
 
     `overlaps` decides whether a position is in O; all coordinates are divided by the scale. With
@@ -61,7 +62,7 @@ def find_free(
     free = [(line, p, q) for line, p, q in pieces.two_sided if not overlaps(_find_middle(p, q))]
     touched = bounding.union(*(piece[1:] for piece in free))
     fits = [(p, p) for p in pieces.meetings - touched if not overlaps(p)]
-    found = Free([], [], [])
+    found = FreeBoundary([], [], [])
     for ring in rings:
         loop, is_around = _make_canonical(ring, scale)
         (found.around if is_around else found.within).append(loop)
@@ -75,7 +76,7 @@ def find_free(
 
 def _walk_rings(
     pieces: Sequence[OneSidedPiece],
-    overlaps: Test,
+    overlaps: OverlapTest,
     choose: Callable[..., OneSidedPiece] = max,
 ) -> Iterator[PieceRing]:
     """Trace the boundaries of free regions by (1); yield simple rings of pieces.

@@ -12,7 +12,8 @@ from exactsweep.geometry.edges import Rings
 from exactsweep.geometry.frame import find_shared_direction
 from exactsweep.numbers.number import Point
 from exactsweep.procedures import crossings, walk
-from exactsweep.procedures.crossings import HomogeneousPoint, OneSidedPiece, Pieces
+from exactsweep.procedures.chain import HomogeneousPoint
+from exactsweep.procedures.crossings import OneSidedPiece, Pieces
 from exactsweep.procedures.positions import reflect
 from exactsweep.procedures.segments import find_contact_segments
 from exactsweep.procedures.walk import find_free, split_where_it_touches

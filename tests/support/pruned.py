@@ -12,7 +12,7 @@ from exactsweep.geometry.overlap import Relation, relate
 from exactsweep.numbers.number import Point, Vertex
 from exactsweep.procedures import cover, positions
 from exactsweep.procedures.positions import FreeRegions, find_inner_fit, find_no_fit
-from exactsweep.procedures.walk import Free
+from exactsweep.procedures.walk import FreeBoundary
 
 
 def rings(cells: Cells, matrix: tuple[int, int, int, int]) -> list[list[Vertex]]:
@@ -48,7 +48,7 @@ STEPS = [(thin, wide) for thin in (True, False) for wide in (True, False)]
 def require_the_same_without_steps(stationary: Rings, orbiting: Rings) -> None:
     """Require the same answers with each of the steps, with both, and with none."""
     container = [[(3 * x, 3 * y) for x, y in ring] for ring in stationary]
-    found: list[tuple[Free, FreeRegions]] = []
+    found: list[tuple[FreeBoundary, FreeRegions]] = []
     for thin, wide in STEPS:
         with pruning(thin=thin, wide=wide):
             found.append((find_no_fit(stationary, orbiting), find_inner_fit(container, orbiting)))
