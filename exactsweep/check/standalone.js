@@ -260,6 +260,7 @@ function groupsOf(pieces) { // a piece of each
 }
 
 function checkMeetings(known) { // (e)
+  const meetings = new Map();
   const sorted = [...known].sort((a, b) => (a.box[0] < b.box[0] ? -1 : a.box[0] > b.box[0] ? 1 : 0));
   sorted.forEach((e, m) => {
     for (let k = m + 1; k < sorted.length && sorted[k].box[0] <= e.box[2]; k++) {
@@ -273,14 +274,18 @@ function checkMeetings(known) { // (e)
       need(!less(met.low.t, met.high.t), "two known edges overlap");
       const distance = Math.abs(e.i - f.i), areNeighbours = distance === 1 || distance === e.length - 1;
       need(e.loop < 0 || e.loop !== f.loop || areNeighbours, "two edges of a loop meet");
+      if (e.region === undefined || e.region !== f.region || e.loop === f.loop) continue;
+      const p = pointKey(along(e.edge, met.low.t)), pair = Math.min(e.loop, f.loop) + " " + Math.max(e.loop, f.loop);
+      need((meetings.get(pair) ?? p) === p, "two loops of a region meet at two points");
+      meetings.set(pair, p);
     }
   });
 }
 
-function checkSums({ first, second, sums, more = [], loops, fits, w, groups = [first, second].map(groupsOf) }) {
+function checkSums({ first, second, sums, more = [], loops, regions = [], fits, w, groups = [first, second].map(groupsOf) }) {
   const known = loops.flatMap((loop, n) => edgesOf(loop).map((edge, i) => ({ edge, loop: n, i, length: loop.length })));
   known.push(...fits.map((edge) => ({ edge, loop: -1, isPoint: same(...edge) })));
-  for (const e of known) e.box = boxOf(e.edge);
+  for (const e of known) Object.assign(e, { box: boxOf(e.edge), region: regions[e.loop] });
   const entries = sums.map(({ number, chains }) => {
     need(number < first.length * second.length, "there is no sum of that number");
     const i = Math.floor(number / second.length);
@@ -460,7 +465,7 @@ function proveInnerFit(value) {
   const known = checkSums({
     first: outside, second: negated(part), sums: c.proof.sums,
     more: planes.map((plane, i) => ({ sides: [plane], chains: [around[i]] })),
-    loops: regions.flat(), fits: c.exact_fits, w: 0,
+    loops: regions.flat(), regions: regions.flatMap((loops, n) => loops.map(() => n)), fits: c.exact_fits, w: 0,
   });
   const isIn = (end) => planes.every((plane) => side(plane, end) <= 0);
   need(known.every((e) => e.edge.every(isIn)), "a known edge is not in B");

@@ -36,7 +36,9 @@ a x + b y + c w > 0.
    piece are connected. Slits are fits outside the answer. `sum`: the same for any path.
 5. `inner_fit`: D is a frame minus the container, B the rectangle of all t at which G + t is in the
    frame. L is in B; the half-planes around B count as listed sums, with an edge of B as their side.
-   In the proof, read W + 1 for W; every ray meets a half-plane, and so L before it.
+   In the proof, read W + 1 for W; every ray meets a half-plane, and so L before it. Two loops of a
+   region meet at most once: they do not cross. Its own W is 0 just inside a hole, at two points of
+   an edge; each other loop misses one of them. So a hole is in the exterior and in no other hole.
 6. `layout`: a rounded piece is the set of points within distance r of a convex hull; r = 0 for the
    pieces of 2. For vertices a and b of two pieces, a normal n with gap = min n.b - max n.a >= 0 and
    gap^2 >= (s + r_a + r_b)^2 |n|^2 proves that they are s apart and do not overlap. Errors add to
@@ -234,8 +236,7 @@ def winding(around: Iterable[Edge], z: Point) -> int:
     found = 0
     for p, q, line in around:
         up = (p[1] * z[2] <= z[1] * p[2]) - (q[1] * z[2] <= z[1] * q[2])
-        if up and up * side(line, z) > 0:
-            found += up
+        found += up if up and up * side(line, z) > 0 else 0
     return found
 
 
@@ -333,7 +334,7 @@ def solid(name: str, rings: list[Ring], item: Any, work: Work) -> list[Ring]:
 
 
 def inner_point(piece: Ring) -> Point:
-    """Return a point inside a piece or a segment."""
+    """Return a point inside a piece or a segment: the mean of at most three vertices."""
     x, y, w = reduce(add, piece[:3])
     return x, y, w * len(piece[:3])
 
@@ -353,22 +354,23 @@ def groups(pieces: list[Ring], work: Work) -> list[Point]:
 
 
 class Known(NamedTuple):
-    """A known edge: an edge of a loop, or a fit, which has no loop."""
+    """A known edge: of a loop, perhaps of a region of an inner fit, or a fit, without a loop."""
 
     start: Point
     end: Point
     line: Point
     loop: str
     name: str
+    region: str = ""
 
 
-def loop(name: str, item: Any, step: int = 1) -> list[Known]:
+def loop(name: str, item: Any, step: int = 1, region: str = "") -> list[Known]:
     """Read a counter-clockwise loop; reverse it if the step is -1."""
     points = read_points(name, item)
-    need(len({*points}) == len(points) > 2, f"{name}: a repeated point, or too few", *points[:1])
     around = edges(points[::step])
-    need(area(around) * step > 0, f"{name}: clockwise", points[0])
-    return [Known(*e, name, f"{name}, edge {k}") for k, e in enumerate(around)]
+    is_loop = len({*points}) == len(points) and area(around) * step > 0
+    need(is_loop, f"{name}: a repeated point, or not counter-clockwise", *points[:1])
+    return [Known(*e, name, f"{name}, edge {k}", region) for k, e in enumerate(around)]
 
 
 def loops(name: str, item: Any) -> list[Known]:
@@ -473,7 +475,7 @@ def covers(spans: Iterable[Span | None]) -> bool:
 def boundary(sums: Sums, known: list[Known], listed: Any, wanted: int = 1, *around: Any) -> None:
     """Prove (a) to (e) of the lemma."""
     work, ends = sums.work, [[e.start, e.end] for e in known]
-    at = index(reflect(ends), sums.scale)
+    at, meetings = index(reflect(ends), sums.scale), dict[Any, Any]()
     for k, j, _ in near(work, at, index(ends, sums.scale), touch=1):
         one, other = known[k], known[j]
         span = k < j and clip_on(other, one.start, one.end)
@@ -481,6 +483,10 @@ def boundary(sums: Sums, known: list[Known], listed: Any, wanted: int = 1, *arou
         is_end = one.loop != other.loop or one.end == other.start or one.start == other.end
         is_distinct = not span or (span[0] == span[2] and not is_point and (is_end or not one.loop))
         work.spend(12)
+        if span and one.region and one.region == other.region and one.loop != other.loop:
+            (x, y), (u, v) = place(one.start), place(one.end)
+            x, y = x + span[0] * (u - x), y + span[0] * (v - y)
+            is_distinct &= meetings.setdefault((one.loop, other.loop), (x, y)) == (x, y)
         need(is_distinct, f"{one.name}: meets {other.name}", one.start)
     for k, i, j in near(work, at, *sums.trees):
         is_clear, edge = sums.clip(i * sums.columns + j, known[k]) is None, known[k]
@@ -509,13 +515,12 @@ def cover_sides(sums: Sums, known: list[Known], listed: list[Any], around: Itera
                 sums.work.spend(20)
                 spans.append(clip_on(edge, *one[:2]))
                 is_point, (a, b, _) = edge.start == edge.end, edge.line
-                is_parallel, is_left = a * y == b * x, a * x + b * y > 0
-                for left in (True, False):
-                    if is_point or (is_parallel and left is is_left):
-                        along[-1 - m, left].append(clip_on(one, edge.start, edge.end))
+                if is_point or a * y == b * x:
+                    left = is_point or a * x + b * y > 0
+                    along[-1 - m, left].append(clip_on(one, edge.start, edge.end))
             need(covers(spans), f"{at}: a side of it is not covered", one[0])
     for n, edge in enumerate(known):
-        for left in (True,) if edge.loop else (True, False):
+        for left in (True,) if edge.loop or edge.start == edge.end else (True, False):
             reason = f"{edge.name}: {name} are not along all of its {'left' if left else 'right'}"
             need(covers(along[n, left]), reason, edge.start)
 
@@ -540,7 +545,6 @@ def no_fit(c: Any, work: Work) -> str:
     cut, others, listed, *swept = fields("proof", proof, f"directrix generatrix sums {lists}")
     d = solid("directrix", shape("directrix", first), cut, work)
     g = solid("generatrix", shape("generatrix", second), others, work)
-    need(d and g, "proof: no pieces")
     t = loop("exterior", exterior)
     known = [*t, *loops("holes", holes), *fits("exact_fits", exact)]
     boundary(Sums("sums", d, reflect(g), work), known, listed)
@@ -550,8 +554,7 @@ def no_fit(c: Any, work: Work) -> str:
         known = [*loop("outer", answer[1]), *walked, *loops("unswept", answer[2])]
         boundary(Sums("swept", segments, g, work), known + fits("slits", swept[1]), swept[0])
         wind("inner, at the directrix", walked, [inner_point(d[0])], -1, work)
-        total = area(edge[:3] for edge in known)
-        need(number("area", answer[3]) == total, "area: differs from the area between the loops")
+        need(number("area", answer[3]) == area(e[:3] for e in known), "area: differs")
         found = f"sweep of {len(known)} edges; {found}"
     return found
 
@@ -563,7 +566,6 @@ def path_sum(c: Any, work: Work) -> str:
     cut, listed, slits = fields("proof", proof, "shape sums slits")
     h = solid("shape", shape("shape", given), cut, work)
     d = [[p, q] for p, q in pairwise(read_points("path", path)) if p != q]
-    need(d and h, "a path of fewer than two points, or no pieces")
     known = [*loop("exterior", exterior), *loops("holes", holes), *fits("slits", slits)]
     boundary(Sums("sums", d, h, work), known, listed)
     return f"sum of a shape and a path of {len(d)} segments: {len(known)} edges and slits"
@@ -575,8 +577,7 @@ def inner_fit(c: Any, work: Work) -> str:
     first, second, regions, exact, proof = fields("certificate", c, names)[:5]
     ends, cut, others, listed, around = fields("proof", proof, "frame outside part sums around")
     sides, known = [number("frame", n) for n in items("frame", ends, 4)], list[Known]()
-    frame = rectangle("frame", sides)
-    rings = [frame, *(points[::-1] for points in shape("container", first))]
+    rings = [rectangle("frame", sides), *(e[::-1] for e in shape("container", first))]
     d = solid("outside", rings, cut, work)
     h = reflect(solid("part", shape("part", second), others, work))
     need(h, "proof: no pieces of the part")
@@ -590,19 +591,18 @@ def inner_fit(c: Any, work: Work) -> str:
     for edge, (*_, line) in product(known, within):
         is_within = side(line, edge.start) >= 0 <= side(line, edge.end)
         need(is_within, f"{edge.name}: the part leaves the frame", edge.start)
-    sums = Sums("sums", d, h, work, beyond)
-    boundary(sums, known, listed, 0, *items("around", around, 4))
+    boundary(Sums("sums", d, h, work, beyond), known, listed, 0, *items("around", around, 4))
     return f"inner fit of {len(known)} edges and exact fits in {len(regions)} regions"
 
 
 def read_region(name: str, item: Any, work: Work) -> list[Known]:
     """Read a region, its interior on the right; require that its holes are in its exterior."""
     exterior, holes = fields(name, item, "exterior holes")
-    inner = [loop(f"{name}, hole {k}", e) for k, e in enumerate(items(name, holes))]
-    own = [*loop(f"{name}, exterior", exterior, -1), *chain(*inner)]
+    inner = [loop(f"{name}, hole {k}", e, 1, name) for k, e in enumerate(items(name, holes))]
+    own = [*loop(f"{name}, exterior", exterior, -1, name), *chain(*inner)]
     for hole in inner:  # a point on a downward edge counts as inside
-        x, y, w = next(add(e.start, e.end) for e in hole if e.line[0] > 0)
-        wind(f"{hole[0].loop}, in its exterior alone", own, [(x, y, 2 * w)], 0, work)
+        p, q = next(e[:2] for e in hole if e.line[0] > 0)
+        wind(hole[0].loop, own, map(inner_point, ([p, q], [p, p, q])), 0, work)
     return own
 
 

@@ -133,7 +133,7 @@ CONDITIONS = {
     "a clockwise loop": (
         "cave",
         change("exterior", to=lambda ring: [ring[0], *ring[:0:-1]]),
-        "exterior: clockwise",
+        "or not counter-clockwise",
     ),
     "a fit that is there twice": (
         "room",
@@ -181,7 +181,7 @@ CONDITIONS = {
             ("proof", "directrix"),
             [],
         ),
-        "proof: no pieces",
+        "sums[0]: not an integer from 0 to -1",
     ),
     "no pieces of the part": (
         "inside",
@@ -203,7 +203,7 @@ CONDITIONS = {
     "a hole beside its exterior": (
         "island",
         change("regions", 0, "holes", 0, to=[["90", "0"], ["91", "0"], ["90", "1"]]),
-        "in its exterior alone: winding number 1, expected 0",
+        "regions[0], hole 0: winding number 1, expected 0",
     ),
     "a fit beyond the frame": (
         "inside",

@@ -20,6 +20,7 @@ TESTS = tuple(
         "standalone_layouts",
         "rounded",
         "standalone",
+        "regions",
         "certificate_reading",
         "sums_with_paths",
     )
