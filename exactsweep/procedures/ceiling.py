@@ -50,10 +50,10 @@ def subtrajectories(
     right = max(row[2] for row in rows) + max(column[2] for column in columns)
     ceiling = Ceiling(left, right, count, ranges)
     found: list[list[tuple[int, Graph]]] = [[] for _ in generatrix_parts]
-    for (low, left, right, i, g), (least, start, end, j, d) in product(rows, columns):
+    for (g_low, g_left, g_right, i, g), (d_low, d_left, d_right, j, d) in product(rows, columns):
         if (
             g.faces(d)
-            and ceiling.is_above(low + least, left + start, right + end)  # (1)
+            and ceiling.is_above(g_low + d_low, g_left + d_left, g_right + d_right)  # (1)
             and ceiling.lower(graph := cc.merge_by_slope(g, d))  # (3)
         ):
             found[i].append((j, graph))
@@ -68,6 +68,7 @@ def bound_all(
     for k, part in enumerate(parts):
         left, _, w = part.vertices[part.first]
         right, _, v = part.vertices[part.first + len(part.edges)]
+        # The first edge that does not descend starts at the lowest vertex.
         _, low, u = part.vertices[part.first + bisect_left(part.edges, (0,))]
         bounds.append((low // u, left // w, -(-right // v), k, part))
     return sorted(bounds, key=itemgetter(0))

@@ -126,22 +126,22 @@ def lower_envelope_cm(partial: Graph, subtrajectory: Graph) -> Graph:
     Cost: O(edges of the subtrajectory + edges trimmed off), plus O(log n) if it ends first.
     """
     pieces, breaks = partial.pieces, partial.breaks
-    others, ends = subtrajectory.pieces, subtrajectory.breaks
-    if precedes(breaks[-1], ends[0]):
+    other_pieces, other_breaks = subtrajectory.pieces, subtrajectory.breaks
+    if precedes(breaks[-1], other_breaks[0]):
         pieces.append(GAP)
-        breaks.append(ends[0])
+        breaks.append(other_breaks[0])
     x, w = end = breaks[-1]
     i, j = len(pieces) - 1, -1
-    if precedes(ends[-1], end):
-        x, w = end = ends[-1]
+    if precedes(other_breaks[-1], end):
+        x, w = end = other_breaks[-1]
         i = bisect_left(breaks, True, key=lambda at: not precedes(at, end)) - 1
-    while precedes(ends[j + 1], end):
+    while precedes(other_breaks[j + 1], end):
         j += 1
     while i >= 0 and j >= 0:
-        a, b = subtract(pieces[i], others[j])
+        a, b = subtract(pieces[i], other_pieces[j])
         if a * x + b * w <= 0:  # (2)
             break
-        (x, w), (other_x, other_w) = breaks[i], ends[j]
+        (x, w), (other_x, other_w) = breaks[i], other_breaks[j]
         order = x * other_w - other_x * w
         if order < 0:
             x, w = other_x, other_w
@@ -151,12 +151,12 @@ def lower_envelope_cm(partial: Graph, subtrajectory: Graph) -> Graph:
         i -= order >= 0  # (4)
         j -= order <= 0
     if i < 0:
-        j, (x, w) = 0, ends[0]
-    elif j < 0 or not precedes((x, w), ends[j + 1]):
+        j, (x, w) = 0, other_breaks[0]
+    elif j < 0 or not precedes((x, w), other_breaks[j + 1]):
         j += 1
-    if j < len(others):
-        pieces[i + 1 :] = others[j:]
-        breaks[i + 1 :] = [(x, w), *ends[j + 1 :]]
+    if j < len(other_pieces):
+        pieces[i + 1 :] = other_pieces[j:]
+        breaks[i + 1 :] = [(x, w), *other_breaks[j + 1 :]]
     return partial
 
 
@@ -198,14 +198,15 @@ def merge(first: Graph, second: Graph) -> Graph:
     """Return the lower envelope of two graphs."""
     if precedes(second.breaks[0], first.breaks[0]):
         first, second = second, first
-    breaks, pieces, ends, others = first.breaks, first.pieces, second.breaks, second.pieces
-    x, w = start = ends[0]
+    pieces, breaks = first.pieces, first.breaks
+    other_pieces, other_breaks = second.pieces, second.breaks
+    x, w = start = other_breaks[0]
     i, j = find_piece(first, start), 0
     cut = i + precedes(breaks[i], start)
     merged_breaks, merged = [*breaks[:cut], start], [*pieces, GAP][:cut]
-    while i < len(pieces) and j < len(others):
-        lower, upper = pieces[i], others[j]
-        (end, end_w), (other_end, other_w) = breaks[i + 1], ends[j + 1]
+    while i < len(pieces) and j < len(other_pieces):
+        lower, upper = pieces[i], other_pieces[j]
+        (end, end_w), (other_end, other_w) = breaks[i + 1], other_breaks[j + 1]
         order = end * other_w - other_end * end_w
         if order > 0:
             end, end_w = other_end, other_w
@@ -224,7 +225,7 @@ def merge(first: Graph, second: Graph) -> Graph:
             merged.append(upper)
         x, w = end, end_w
         merged_breaks.append((x, w))
-    rest, rest_breaks = pieces[i:] or others[j:], breaks[i + 1 :] or ends[j + 1 :]
+    rest, rest_breaks = pieces[i:] or other_pieces[j:], breaks[i + 1 :] or other_breaks[j + 1 :]
     if rest and rest[0] is merged[-1]:
         merged.pop()
         merged_breaks.pop()
