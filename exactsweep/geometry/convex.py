@@ -25,6 +25,9 @@ ConvexRing = list[IntVertex]
 """A convex ring, counter-clockwise, without straight angles."""
 
 _Corner = tuple[IntVertex, IntVertex]
+# The number of vertices that are tried along the boundary in each direction.
+_FOLLOWED = 16
+
 _IntEdge = tuple[IntVertex, IntVertex]
 
 
@@ -48,6 +51,8 @@ class _Plan:
             edges = list(chain.from_iterable(map(pairwise, split)))
         self.edges: list[_IntEdge] = edges
         self._rows = BoxRows([_find_box(*edge) for edge in edges])
+        # Long diagonals would be in many rows, so they have one row; it begins with an edge.
+        self._diagonals = BoxRows([(min(xs), max(xs), min(ys), max(ys))])
 
     def _find_on(self, a: IntVertex, b: IntVertex) -> Iterator[IntVertex]:
         near = (self._vertices[k] for k in self._places.find(_find_box(a, b)))
@@ -65,7 +70,8 @@ class _Plan:
 
     def is_blocked(self, p: IntVertex, q: IntVertex) -> bool:
         """Decide whether an edge that does not end in p or q meets the segment between them."""
-        for k in self._rows.find(_find_box(p, q)):
+        box = _find_box(p, q)
+        for k in chain(self._rows.find(box), self._diagonals.find(box)):
             a, b = self.edges[k]
             if a in (p, q) or b in (p, q):
                 continue
@@ -78,7 +84,7 @@ class _Plan:
 
     def add(self, p: IntVertex, q: IntVertex) -> None:
         """Add a diagonal."""
-        self._rows.add(_find_box(p, q), len(self.edges))
+        self._diagonals.add(_find_box(p, q), len(self.edges))
         self.edges.append((p, q))
 
 
@@ -123,14 +129,41 @@ def _find_diagonal(
     p: IntVertex, wide: _Corner, cones: dict[IntVertex, list[_Corner]], plan: _Plan
 ) -> IntVertex:
     """Find the end of a short diagonal into a wide cone that leaves few wide cones."""
-    reach = 1
-    while True:
-        for q in _list_ends(p, wide, cones, plan.find_around(p, reach)):
+    for vertices in _list_candidates(p, wide, cones, plan):
+        for q in _list_ends(p, wide, cones, vertices):
             if not plan.is_blocked(p, q):
                 return q
-        # A diagonal exists by (2).
-        assert reach < plan.columns
+    raise AssertionError  # By (2) there is one.
+
+
+def _list_candidates(
+    p: IntVertex, wide: _Corner, cones: dict[IntVertex, list[_Corner]], plan: _Plan
+) -> Iterator[Iterable[IntVertex]]:
+    """Yield vertices around p, then some along the face of a wide cone, then farther ones."""
+    yield plan.find_around(p, 1)
+    yield _follow_face(p, wide, cones)
+    reach = 1
+    while reach < plan.columns:
         reach *= 2
+        yield plan.find_around(p, reach)
+
+
+def _follow_face(
+    p: IntVertex, wide: _Corner, cones: dict[IntVertex, list[_Corner]]
+) -> set[IntVertex]:
+    """Return the next vertices along the boundary of a face, in both directions.
+
+    The diagonals of neighbors on a curve have neighboring ends, which may be far away.
+    """
+    found = set()
+    for side in (0, 1):
+        (x, y), direction = p, wide[side]
+        for _ in range(_FOLLOWED):
+            dx, dy = direction
+            x, y, back = x + dx, y + dy, (-dx, -dy)
+            found.add((x, y))
+            direction = next(cone[side] for cone in cones[x, y] if cone[1 - side] == back)
+    return found
 
 
 def _list_ends(

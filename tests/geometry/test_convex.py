@@ -1,10 +1,14 @@
 """Convex pieces of plates with many holes."""
 
+from collections.abc import Iterable
+from math import cos, pi, sin
 from random import Random
+from typing import Any
 
 import pytest
 from linear import require_linear
 
+from exactsweep.geometry import convex
 from exactsweep.geometry.canonical import find_doubled_area, find_turns
 from exactsweep.geometry.convex import IntRing, cut_to_convex
 
@@ -36,3 +40,25 @@ def test_a_plate_with_many_holes_is_cut_into_convex_pieces(holes: int, shear: in
 @pytest.mark.long
 def test_many_holes_take_linear_time() -> None:
     require_linear(lambda holes: cut_to_convex(make_plate(holes)), 36)
+
+
+def test_few_vertices_are_tried_for_each_diagonal(monkeypatch: pytest.MonkeyPatch) -> None:
+    """All vertices of the hole of a ring are reflex, and their diagonals end far away."""
+    tried: list[int] = []
+    find_ends = convex._list_ends
+
+    def count(p: Any, wide: Any, cones: Any, vertices: Iterable[Any]) -> Any:
+        listed = [*vertices]
+        tried.append(len(listed))
+        return find_ends(p, wide, cones, listed)
+
+    monkeypatch.setattr(convex, "_list_ends", count)
+    numbers = []
+    for n in (400, 1600):
+        around = [(cos(2 * pi * k / n), sin(2 * pi * k / n)) for k in range(n)]
+        outer, inner = ([(round(r * x), round(r * y)) for x, y in around] for r in (3e9, 1e9))
+        tried.clear()
+        cut_to_convex([outer, inner[::-1]])
+        numbers.append(sum(tried))
+    # All vertices for each diagonal would be 16 times as many.
+    assert numbers[1] < 9 * numbers[0]
