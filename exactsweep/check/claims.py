@@ -6,14 +6,13 @@ Vertices of pieces are multiplied by a common denominator.
 
 from __future__ import annotations
 
-import json
 import sys
 from fractions import Fraction
 from pathlib import Path
 from typing import Any
 
 from exactsweep.check.layout_claims import claim_layout
-from exactsweep.check.standalone import FORMAT, VERSION
+from exactsweep.check.standalone import FORMAT, VERSION, load
 from exactsweep.check.terms import (
     POINT,
     SEGMENTS,
@@ -178,4 +177,4 @@ def _named(item: Any) -> list[int]:
 
 
 if __name__ == "__main__":
-    print(write_numbers(to_claim(json.loads(Path(sys.argv[1]).read_text(encoding="utf-8")))))
+    print(write_numbers(to_claim(load(Path(sys.argv[1]).read_text(encoding="utf-8")))))

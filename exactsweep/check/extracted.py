@@ -24,13 +24,15 @@ def missing_tools() -> list[str]:
 
 
 def build_checker(proof: Path = PROOF) -> Path:
-    """Build the checker from the folder of proofs if necessary, and return its path.
+    """Build the checker if it is missing or older than the proofs; return its path.
 
     Raises RuntimeError if a tool is missing or the build fails. Cost: two to five minutes for the
     first build.
     """
     found = proof / "extracted" / "checker"
-    if not found.exists():
+    sources = [*proof.glob("*.v"), *proof.glob("driver.ml")]
+    newest = max((path.stat().st_mtime for path in sources), default=0.0)
+    if not found.exists() or found.stat().st_mtime < newest:
         if missing := missing_tools():
             raise RuntimeError(f"not installed: {', '.join(missing)}")
         command = ["make", "--silent", "checker"]

@@ -44,8 +44,8 @@ class _LayoutTerms:
         if len(self.index) != len(self.parts):
             raise TheoremError("two parts have one id")
         self.drawn = [*map(read_figure, self.parts)]
-        has_sheet = first is not None and first.get("pieces") != []
-        self.sheet = read_figure(first) if has_sheet else None
+        sheet = Figure([], [], Fraction(0)) if first is None else read_figure(first)
+        self.sheet = sheet if sheet.rings() else None
         self.allowed = [*map(_allowed, self.parts)]
         pairs = zip(given["placements"], c["turns"], strict=True)
         self.moves = [read_move(*pair, self.index, self.drawn, self.allowed) for pair in pairs]

@@ -2,6 +2,7 @@
 
 import copy
 import json
+import os
 import subprocess
 from collections import Counter
 from collections.abc import Iterator
@@ -21,7 +22,7 @@ from weakened_coq import weaken
 from exactsweep import Polyline, Region, inner_fit_polygon, minkowski_sum, no_fit_polygon, sweep
 from exactsweep.check.claims import to_claim
 from exactsweep.check.extracted import PROOF, accept, ask, build_checker, missing_tools
-from exactsweep.check.terms import Nat, Some, write_numbers
+from exactsweep.check.terms import Nat, Some, TheoremError, write_numbers
 from exactsweep.check.theorem import write_theorem
 from exactsweep.corpus import cases, layout_cases
 from exactsweep.layout import Layout, LayoutError, judge_layout
@@ -234,11 +235,66 @@ def test_malformed_lines_are_not_accepted() -> None:
         False,
         True,
     ]
-    lines = "no_fit\nno_fit 1 1/0\nother 3\nno_fit -1\n"
+    whole = write_numbers(to_claim(true))
+    cut = whole.rsplit(" ", 1)[0]
+    lines = f"no_fit\nno_fit 1 1/0\nother 3\nno_fit -1\n{cut}\n{whole} 0\n{whole}\n"
     done = subprocess.run(
         [build_checker()], input=lines, capture_output=True, text=True, check=True
     )
-    assert done.stdout.split() == ["unreadable"] * 4
+    assert done.stdout.split() == ["unreadable"] * 6 + ["accepted"]
+
+
+def test_a_checker_older_than_the_proofs_is_built_again(tmp_path: Path) -> None:
+    program = tmp_path / "extracted" / "checker"
+    program.parent.mkdir()
+    (tmp_path / "Statements.v").touch()
+    program.touch()
+    assert build_checker(tmp_path) == program
+    os.utime(program, (0, 0))
+    with pytest.raises(RuntimeError, match=r"not installed|could not be built"):
+        build_checker(tmp_path)
+
+
+def overlapping(**changes: Any) -> dict[str, Any]:
+    """Return a certificate that two squares overlap, with changes of its layout."""
+    place = [{"part": "a", "move": [x, "0"]} for x in ("0", "1")]
+    square = {"id": "a", "exterior": [["0", "0"], ["2", "0"], ["2", "2"], ["0", "2"]]}
+    fault = {"kind": "overlap", "placements": [0, 1], "point": ["3/2", "1"]}
+    layout = {"parts": [square], "placements": place, **changes}
+    head = {"format": "exactsweep certificate", "version": 3, "claim": "layout", "valid": False}
+    turns = [e.get("turn", ["1", "0"]) for e in layout["placements"]]
+    return {**head, "layout": layout, "turns": turns, "faults": [fault]}
+
+
+@needs_tools
+@pytest.mark.long
+def test_faults_of_layouts_with_negative_numbers_or_scaled_parts_are_rejected() -> None:
+    square = overlapping()["layout"]["parts"][0]
+    moved = overlapping()["layout"]["placements"]
+    scaled = [{**e, "turn": ["2", "0"]} for e in moved]
+    disc = {"pieces": [{"points": [["0", "0"]], "radius": "-1"}]}
+    wrong: list[dict[str, Any]] = [
+        {"spacing": "-1"},
+        {"margin": "-1"},
+        {"placements": scaled},
+        {"parts": [{**square, "error": "-1/2"}]},
+        {"parts": [square, {**disc, "id": "b"}]},
+        {"defects": [disc]},
+        {"defects": [{"exterior": square["exterior"], "spacing": "-1"}]},
+        {"container": {"exterior": square["exterior"], "error": "-1"}},
+    ]
+    true = [{}, {"spacing": "1", "container": {"exterior": square["exterior"], "error": "1"}}]
+    asked = [*true, *wrong]
+    assert accept(overlapping(**e) for e in asked) == [True] * len(true) + [False] * len(wrong)
+
+
+def test_a_container_has_rings_or_pieces() -> None:
+    exterior = overlapping()["layout"]["parts"][0]["exterior"]
+    both = overlapping(container={"pieces": [], "exterior": exterior})
+    with pytest.raises(TheoremError, match="rings and pieces"):
+        to_claim(both)
+    empty = to_claim(overlapping(container={"pieces": []})).statement["layout"][1]
+    assert empty.fields["Statements.sheet"] is None
 
 
 @needs_tools

@@ -27,21 +27,25 @@ Qed.
 Lemma shape_inside f : 0 <= Statements.error f -> Statements.shape_of f (Statements.inside (Statements.outline f)).
 Proof. intros E z I. apply within_self; [exact E|left; exact I]. Qed.
 Theorem valid_exact l : Statements.valid l ->
-  (forall x, In x (Statements.placements l) -> 0 <= Statements.error (Statements.placed l x)) ->
   (forall i j x y, nth_error (Statements.placements l) i = Some x -> nth_error (Statements.placements l) j = Some y -> i <> j ->
     let S := Statements.inside (Statements.outline (Statements.placed l x)) in let T := Statements.inside (Statements.outline (Statements.placed l y)) in
     Statements.disjoint S T /\ Statements.at_least (Statements.spacing l) S T) /\
-  (forall x C e, In x (Statements.placements l) -> Statements.sheet l = Some {| Statements.outline := C; Statements.rounded := []; Statements.error := e |} -> 0 <= e ->
+  (forall x C e, In x (Statements.placements l) -> Statements.sheet l = Some {| Statements.outline := C; Statements.rounded := []; Statements.error := e |} ->
     let S := Statements.inside (Statements.outline (Statements.placed l x)) in
     (forall z, S z -> Statements.inside C z) /\ Statements.at_least (Statements.margin l) S (fun z => ~ Statements.inside C z)) /\
-  (forall x o, In x (Statements.placements l) -> In o (Statements.obstacles l) -> 0 <= Statements.error (fst o) ->
+  (forall x o, In x (Statements.placements l) -> In o (Statements.obstacles l) ->
     let S := Statements.inside (Statements.outline (Statements.placed l x)) in let T := Statements.inside (Statements.outline (fst o)) in
     Statements.disjoint S T /\ Statements.at_least (snd o) S T).
 Proof.
-  intros V E. split; [|split].
+  intro V. destruct (Statements.measures l V) as (_ & M & O & Sh0 & P). rewrite Forall_forall in M, O, P.
+  assert (E : forall x, In x (Statements.placements l) -> 0 <= Statements.error (Statements.placed l x)).
+  { intros x I. pose proof (proj1 (Statements.rules l V)) as A. rewrite Forall_forall in A. destruct (A x I) as (K & _).
+    destruct (M _ (nth_In (Statements.kinds l) Statements.no_part K)) as (Ek & _). destruct (P x I) as (Sl & _).
+    unfold Statements.placed, Statements.kind_of. cbn [Statements.error]. lra. }
+  split; [|split].
   - intros i j x y X Y Ne. pose proof (Statements.apart l V i j x y _ _ X Y Ne (shape_inside _ (E x (nth_error_In _ _ X)))
       (shape_inside _ (E y (nth_error_In _ _ Y)))) as K. split; [apply (keeps_disjoint _ _ _ K)|apply K].
-  - intros x C e I Sh E0.
+  - intros x C e I Sh. destruct (Sh0 _ Sh) as (E0 & _). cbn [Statements.error] in E0.
     assert (U : Statements.outside_of {| Statements.outline := C; Statements.rounded := []; Statements.error := e |} (fun z => ~ Statements.inside C z)).
     { intros z N. apply within_self; [exact E0|]. intros [Y|(p & [] & _)]. exact (N Y). }
     pose proof (Statements.contained l V x _ _ _ I Sh (shape_inside _ (E x I)) U) as (K1 & K2).
@@ -51,7 +55,7 @@ Proof.
     exists c. split; exists q; (split; [exact Q0|]); intros y Y; specialize (Sq y Y); unfold Statements.inside.
     + rewrite (H y); [exact Z|]. apply (wedge_less r d z y L Sq).
     + rewrite (H' y); [exact N|]. apply (wedge_less r d' z y L' Sq).
-  - intros x o I J E0. pose proof (Statements.no_defect l V x o _ _ I J (shape_inside _ (E x I)) (shape_inside (fst o) E0)) as K.
+  - intros x o I J. destruct (O o J) as ((E0 & _) & _). pose proof (Statements.no_defect l V x o _ _ I J (shape_inside _ (E x I)) (shape_inside (fst o) E0)) as K.
     split; [apply (keeps_disjoint _ _ _ K)|apply K].
 Qed.
 
@@ -106,7 +110,7 @@ Definition check_fault (l : Statements.layout) (f : Statements.fault) (y z : qpo
       Statements.less 0 room && Statements.less (Statements.dist2 y z) (room * room))
   end.
 Definition check_faults (l : Statements.layout) (fs : list Statements.fault) (at_ : list (qpoint * qpoint)) : bool :=
-  match fs with [] => false | _ => true end && (length fs =? length at_)%nat &&
+  is_well_formed l && match fs with [] => false | _ => true end && (length fs =? length at_)%nat &&
   forallb (fun x => check_fault l (fst x) (fst (snd x)) (snd (snd x))) (combine fs at_).
 
 Lemma near_disc c z d (P : qpoint -> Prop) : 0 <= d -> d < c -> (forall y, Statements.dist2 y z <= c * c -> P y) ->
@@ -295,7 +299,7 @@ Proof.
   destruct f as [k|k|k|k|k|i b|i b]; cbn [Statements.has].
   - intros (n & D & L) V. rewrite (proj2 (Statements.rules l V) k n D) in L. exact (Nat.lt_irrefl n L).
   - intros (n & D & L) V. rewrite (proj2 (Statements.rules l V) k n D) in L. exact (Nat.lt_irrefl n L).
-  - intros (x & I & _ & M & N) V. pose proof (proj1 (Statements.rules l V)) as A. rewrite Forall_forall in A. destruct (A x I) as (_ & _ & _ & B & _).
+  - intros (x & I & _ & M & N) V. pose proof (proj1 (Statements.rules l V)) as A. rewrite Forall_forall in A. destruct (A x I) as (_ & B & _).
     rewrite (B M) in N. discriminate.
   - intros (x & I & _ & N) V. pose proof (proj1 (Statements.rules l V)) as A. rewrite Forall_forall in A. apply N. apply (A x I).
   - intros (p & z & P & W0 & W1) V. pose proof (proj1 (Statements.shapes l V)) as A. rewrite Forall_forall in A.
@@ -305,9 +309,9 @@ Proof.
 Qed.
 Theorem faults_sound l fs ps : check_faults l fs ps = true -> Statements.faulty l fs.
 Proof.
-  unfold check_faults. intro H. apply andb_prop in H as (H & C). apply andb_prop in H as (Ne & L). apply Nat.eqb_eq in L. rewrite forallb_forall in C.
+  unfold check_faults. intro H. apply andb_prop in H as (H & C). apply andb_prop in H as (H & L). apply andb_prop in H as (Wf & Ne). apply Nat.eqb_eq in L. rewrite forallb_forall in C.
   assert (A : Forall (Statements.has l) fs).
   { rewrite Forall_forall. intros f I. apply In_nth_error in I as (i & I). destruct (nth_combine _ _ i f L I) as (p & P).
     specialize (C _ (nth_error_In _ _ P)). cbn [fst snd] in C. exact (fault_sound l f _ _ C). }
-  split; [destruct fs; discriminate|]. split; [exact A|]. destruct fs as [|f fs]; [discriminate Ne|]. inversion A; subst. exact (fault_refutes l f ltac:(assumption)).
+  split; [apply is_well_formed_spec, Wf|]. split; [destruct fs; discriminate|]. split; [exact A|]. destruct fs as [|f fs]; [discriminate Ne|]. inversion A; subst. exact (fault_refutes l f ltac:(assumption)).
 Qed.

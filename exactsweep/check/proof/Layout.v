@@ -43,6 +43,15 @@ Definition planes (f : Z * Z * Z * Z) : list (pt * Z) :=
 Definition within_frame (d : Z) (f : Z * Z * Z * Z) (x : item) : bool :=
   forallb (fun p => forallb (fun h => most (fst h) (fst p) + snd p + reach x + d <=? snd h) (planes f)) (parts x).
 
+Definition are_amounts (f : Statements.figure) : bool :=
+  Qle_bool 0 (Statements.error f) && forallb (fun p => Qle_bool 0 (snd p)) (Statements.rounded f).
+Definition is_well_formed (l : Statements.layout) : bool :=
+  (Qle_bool 0 (Statements.spacing l) && Qle_bool 0 (Statements.margin l)) &&
+  (forallb (fun p => are_amounts (Statements.form p)) (Statements.kinds l) &&
+  (forallb (fun o => are_amounts (fst o) && Qle_bool 0 (snd o)) (Statements.obstacles l) &&
+  (match Statements.sheet l with Some f => are_amounts f | None => true end &&
+  forallb (fun x => let m := Statements.by_motion x in Qle_bool 0 (Statements.slack x) &&
+    Qeq_bool (Statements.cosine m * Statements.cosine m + Statements.sine m * Statements.sine m) 1) (Statements.placements l)))).
 Definition is_rotated (l : Statements.layout) (x : Statements.placement) : bool :=
   let p := Statements.kind_of l x in let m := Statements.by_motion x in
   match (if Statements.mirrored m then Statements.mirrored_rotations p else Statements.rotations p) with
@@ -50,10 +59,8 @@ Definition is_rotated (l : Statements.layout) (x : Statements.placement) : bool 
   | Some cs => existsb (fun c => Qeq_bool (fst c) (Statements.cosine m) && Qeq_bool (snd c) (Statements.sine m)) cs
   end.
 Definition check_allowed (l : Statements.layout) (x : Statements.placement) : bool :=
-  let m := Statements.by_motion x in let k := Statements.kind_of l x in
-  (Statements.kind x <? length (Statements.kinds l))%nat && Qle_bool 0 (Statements.slack x) &&
-  Qeq_bool (Statements.cosine m * Statements.cosine m + Statements.sine m * Statements.sine m) 1 &&
-  (negb (Statements.mirrored m) || Statements.may_mirror k) && is_rotated l x.
+  (Statements.kind x <? length (Statements.kinds l))%nat &&
+  (negb (Statements.mirrored (Statements.by_motion x)) || Statements.may_mirror (Statements.kind_of l x)) && is_rotated l x.
 Definition check_supply (l : Statements.layout) : bool :=
   forallb (fun k => match nth_error (Statements.kinds l) k with
     | None => true
@@ -109,7 +116,7 @@ Definition solid_obstacles := combine (map fst (Statements.obstacles l)) (obstac
 Definition obstacle_items : list (nat * (item * Q)) := numbered (combine (map item_of solid_obstacles) (map snd (Statements.obstacles l))).
 Definition items : list (nat * item) := numbered (map item_of solid_parts).
 Definition check_layout : bool :=
-  forallb (check_allowed l) (Statements.placements l) && check_supply l &&
+  is_well_formed l && forallb (check_allowed l) (Statements.placements l) && check_supply l &&
   (length (Statements.placements l) =? length (part_pieces c))%nat &&
   (length (Statements.kinds l) =? length (kind_pieces c))%nat && forallb is_solid_figure solid_kinds &&
   (length (Statements.obstacles l) =? length (obstacle_pieces c))%nat &&
@@ -125,14 +132,26 @@ Definition check_layout : bool :=
 End Check.
 
 (* 2. Soundness *)
+Lemma forallb_Forall {A} (f : A -> bool) (P : A -> Prop) l : (forall x, f x = true -> P x) -> forallb f l = true -> Forall P l.
+Proof. rewrite forallb_forall, Forall_forall. auto. Qed.
+Lemma are_amounts_spec f : are_amounts f = true -> Statements.amounts f.
+Proof.
+  intro H. apply andb_prop in H as (E & R). split; [apply Qle_bool_iff, E|]. revert R. apply forallb_Forall. intros p. apply Qle_bool_iff.
+Qed.
+Lemma is_well_formed_spec l : is_well_formed l = true -> Statements.well_formed l.
+Proof.
+  unfold is_well_formed. intro H. apply andb_prop in H as (D & H). apply andb_prop in H as (K & H). apply andb_prop in H as (O & H).
+  apply andb_prop in H as (C & P). apply andb_prop in D as (D1 & D2). split; [split; apply Qle_bool_iff; assumption|]. split; [|split; [|split]].
+  - revert K. apply forallb_Forall. intros p. apply are_amounts_spec.
+  - revert O. apply forallb_Forall. intros o H. apply andb_prop in H as (A & B). split; [apply are_amounts_spec, A|apply Qle_bool_iff, B].
+  - intros f E. rewrite E in C. apply are_amounts_spec, C.
+  - revert P. apply forallb_Forall. cbv zeta. intros x H. apply andb_prop in H as (A & B). split; [apply Qle_bool_iff, A|apply Qeq_bool_iff, B].
+Qed.
 Lemma check_allowed_spec l x : check_allowed l x = true -> Statements.allowed l x.
 Proof.
   unfold check_allowed, is_rotated, Statements.allowed, Statements.rotated. cbv zeta. intro H.
-  apply andb_prop in H as (H & R). apply andb_prop in H as (H & M). apply andb_prop in H as (I & T). apply andb_prop in I as (I & P).
-  split; [|split; [|repeat split]].
+  apply andb_prop in H as (H & R). apply andb_prop in H as (I & M). split; [|split].
   - apply Nat.ltb_lt, I.
-  - apply Qle_bool_iff, P.
-  - apply Qeq_bool_iff, T.
   - intro E. rewrite E in M. exact M.
   - intros cs Cs. rewrite Cs in R.
     apply existsb_exists in R as (c & J & R). apply andb_prop in R as (R1 & R2).
@@ -560,8 +579,8 @@ Proof.
   unfold check_layout. intro H.
   apply andb_prop in H as (H & Hs). apply andb_prop in H as (H & Ho). apply andb_prop in H as (H & Ha). apply andb_prop in H as (H & So).
   apply andb_prop in H as (H & Sp). apply andb_prop in H as (H & Hm). apply andb_prop in H as (H & Hd). apply andb_prop in H as (H & Lo).
-  apply andb_prop in H as (H & Sk). apply andb_prop in H as (H & Lk). apply andb_prop in H as (H & Lp). apply andb_prop in H as (Al & Su).
-  rewrite forallb_forall in Al, So, Sp, Sk. apply Nat.eqb_eq in Lp, Lo, Lk.
+  apply andb_prop in H as (H & Sk). apply andb_prop in H as (H & Lk). apply andb_prop in H as (H & Lp). apply andb_prop in H as (H & Su).
+  apply andb_prop in H as (Wf & Al). rewrite forallb_forall in Al, So, Sp, Sk. apply Nat.eqb_eq in Lp, Lo, Lk.
   destruct (amount_spec N _ Hm) as (M0 & M1). destruct (amount_spec N _ Hd) as (D0 & D1).
   assert (At : forall i x, nth_error (Statements.placements l) i = Some x -> exists ps k, In (Statements.placed l x, ps) (solid_parts l c) /\
     nth_error (items l c) i = Some (k, item_of c (Statements.placed l x, ps))).
@@ -589,6 +608,7 @@ Proof.
       induction a as [|u a IH]; intros [|v b] [|i] E; try discriminate; cbn in *; [injection E; congruence|exact (IH b i E)]. }
     subst q. destruct (nth_numbered _ i _ G) as (k & K). exists k. split; [eapply nth_error_In, F|eapply nth_error_In, K]. }
   constructor.
+  - apply is_well_formed_spec, Wf.
   - split; [rewrite Forall_forall; intros x I; apply check_allowed_spec, Al, I|apply check_supply_spec, Su].
   - split; [|split]; rewrite Forall_forall.
     + intros k I. apply (in_map Statements.form) in I. apply In_nth_error in I as (i & I).

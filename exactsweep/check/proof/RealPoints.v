@@ -49,8 +49,10 @@ Proof.
   pose proof (sq_lt (3 * r + c + 3 * r) d ltac:(lra) ltac:(lra)). lra.
 Qed.
 
-(* Rotations with an error. Two motions whose cosines and sines differ by d in sum map a point with |x| + |y| <= r to
-   points at distance d r or less. So a set known up to e after one motion is known up to e + d r after the other. *)
+(* Rotations with an error.  Two motions whose cosines and sines differ by d and d' map a point with |x| + |y| <= r to points
+   at distance (d + d') r or less.  Let a figure be at distance `round` or less from a core, whose points are so bounded;
+   its true shape, known up to e, is moved by a rotation m'.  Then the core moved by m, with the same radius, is the shape up
+   to e + (d + d') r: neither the radius nor e need be bounded, as m' keeps distances. *)
 Definition moved_by (m : Statements.motion) (S : qpoint -> Prop) (z : qpoint) : Prop := exists p, S p /\ z = Statements.move m p.
 Definition bounded (r : Q) (p : qpoint) : Prop := exists a b, - a <= fst p <= a /\ - b <= snd p <= b /\ a + b <= r.
 Lemma move_near m m' d d' r p : Statements.mirrored m = Statements.mirrored m' -> Statements.shift m = Statements.shift m' ->
@@ -70,14 +72,42 @@ Proof.
   pose proof (Qmult_le_compat_r _ _ (x * x + y * y) H1 H0). pose proof (mono_le _ _ _ H3 H2).
   assert (E4 : (d + d') * r * ((d + d') * r) == (d + d') * (d + d') * (r * r)) by ring. lra.
 Qed.
-Theorem rotation_error_sound m m' d d' r e (drawn S : qpoint -> Prop) : Statements.mirrored m = Statements.mirrored m' -> Statements.shift m = Statements.shift m' ->
-  - d <= Statements.cosine m - Statements.cosine m' <= d -> - d' <= Statements.sine m - Statements.sine m' <= d' -> 0 <= r -> 0 <= e ->
-  (forall p, S p -> bounded r p) -> Statements.known_to e drawn (moved_by m S) -> Statements.known_to (e + (d + d') * r) drawn (moved_by m' S).
+Lemma move_isometry m p q : Statements.cosine m * Statements.cosine m + Statements.sine m * Statements.sine m == 1 ->
+  Statements.dist2 (Statements.move m p) (Statements.move m q) == Statements.dist2 p q.
 Proof.
-  intros E F C Si R E0 B K z (p & Sp & ->). assert (D : 0 <= (d + d') * r) by (apply Qmult_le_0_compat; lra).
-  pose proof (move_near m m' d d' r p E F C Si R (B p Sp)) as N. pose proof (K _ (ex_intro _ p (conj Sp eq_refl))) as W.
-  intros t T H. apply (W (t - (d + d') * r)); [lra|]. intros y Y. specialize (H y Y).
-  destruct (Qlt_le_dec ((t - (d + d') * r) * (t - (d + d') * r)) (Statements.dist2 y (Statements.move m p))) as [|G]; [assumption|exfalso].
-  pose proof (triangle y (Statements.move m p) (Statements.move m' p) (t - (d + d') * r) ((d + d') * r) ltac:(lra) D G N) as Tr.
-  assert (Eq : t - (d + d') * r + (d + d') * r == t) by ring. rewrite Eq in Tr. lra.
+  intro E. unfold Statements.dist2, Statements.move. destruct (Statements.mirrored m); cbn [fst snd];
+    rewrite <- (Qmult_1_l ((fst p - fst q) * (fst p - fst q) + (snd p - snd q) * (snd p - snd q))), <- E; ring.
+Qed.
+Theorem rotation_error_sound m m' d d' r round e (core drawn S : qpoint -> Prop) :
+  Statements.mirrored m = Statements.mirrored m' -> Statements.shift m = Statements.shift m' ->
+  - d <= Statements.cosine m - Statements.cosine m' <= d -> - d' <= Statements.sine m - Statements.sine m' <= d' ->
+  Statements.cosine m' * Statements.cosine m' + Statements.sine m' * Statements.sine m' == 1 -> 0 <= r -> 0 <= round -> 0 <= e ->
+  (forall p, core p -> bounded r p) -> Statements.known_to round core drawn -> Statements.known_to e drawn S ->
+  Statements.known_to (e + (d + d') * r) (Statements.within round (moved_by m core)) (moved_by m' S).
+Proof.
+  intros E F C Si Rot R R0 E0 B Kd K z (p & Sp & ->) t T H. set (D := (d + d') * r) in *.
+  assert (D0 : 0 <= D) by (apply Qmult_le_0_compat; lra).
+  set (g := (t - e - D) / 4). assert (Eg : g == (1 # 4) * (t - e - D)) by (unfold g; field).
+  apply (K p Sp (e + g) ltac:(lra)). intros y Y.
+  destruct (Qlt_le_dec ((e + g) * (e + g)) (Statements.dist2 y p)) as [|Gy]; [assumption|exfalso].
+  apply (Kd y Y (round + g) ltac:(lra)). intros v V.
+  destruct (Qlt_le_dec ((round + g) * (round + g)) (Statements.dist2 v y)) as [|Gv]; [assumption|exfalso].
+  pose proof (triangle v y p (round + g) (e + g) ltac:(lra) ltac:(lra) Gv Gy) as T1. rewrite <- (move_isometry m' v p Rot) in T1.
+  pose proof (move_near m m' d d' r v E F C Si R (B v V)) as N. fold D in N.
+  pose proof (triangle (Statements.move m v) (Statements.move m' v) (Statements.move m' p) D (round + g + (e + g)) D0 ltac:(lra) N T1) as T2.
+  set (w := Statements.move m v) in *. set (z := Statements.move m' p) in *. set (q := e + D + 2 * g).
+  assert (Q0 : 0 < q) by (unfold q; lra). assert (L : q < t) by (unfold q; lra).
+  assert (Eq : D + (round + g + (e + g)) == round + q) by (unfold q; ring). rewrite Eq in T2.
+  (* u: the point of the segment from w to z that divides it as round to q *)
+  set (s := round / (round + q)). assert (Es : s * (round + q) == round) by (unfold s; field; lra).
+  assert (Es' : (1 - s) * (round + q) == q) by lra.
+  set (u := (fst w + s * (fst z - fst w), snd w + s * (snd z - snd w))).
+  assert (Uw : Statements.dist2 w u == s * s * Statements.dist2 w z) by (unfold Statements.dist2, u; cbn [fst snd]; ring).
+  assert (Uz : Statements.dist2 u z == (1 - s) * (1 - s) * Statements.dist2 w z) by (unfold Statements.dist2, u; cbn [fst snd]; ring).
+  assert (Sq : forall a, a * a * Statements.dist2 w z <= a * (round + q) * (a * (round + q))).
+  { intro a. pose proof (mono_le (a * a) _ _ (sq_nonneg a) T2) as M. assert (X : a * (round + q) * (a * (round + q)) == a * a * ((round + q) * (round + q))) by ring. lra. }
+  pose proof (Sq s) as S1. pose proof (Sq (1 - s)) as S2. rewrite Es in S1. rewrite Es' in S2.
+  assert (Wu : Statements.within round (moved_by m core) u).
+  { intros k Lk G. specialize (G w (ex_intro _ v (conj V eq_refl))). pose proof (sq_lt round k R0 Lk). lra. }
+  pose proof (H u Wu). pose proof (sq_lt q t ltac:(lra) L). lra.
 Qed.

@@ -70,7 +70,7 @@ Definition place (m : motion) (rs : list ring) : list ring :=
 
 Record part := {
   form : figure; demand : option nat;                                     (* None: any number *)
-  rotations : option (list (Q * Q));                                      (* allowed (cosine, sine); None: any *)
+  rotations : option (list (Q * Q));           (* allowed (cosine, sine), or what stands for an irrational one; None: any *)
   mirrored_rotations : option (list (Q * Q)); may_mirror : bool }.        (* for mirrored placements *)
 (* `slack`: 0, or where a rational rotation stands for an irrational one, by how much points may be off. *)
 Record placement := { kind : nat; by_motion : motion; slack : Q }.
@@ -92,15 +92,21 @@ Definition rotated (l : layout) (x : placement) : Prop :=      (* by an allowed 
   forall cs, (if mirrored m then mirrored_rotations p else rotations p) = Some cs ->
   exists c, In c cs /\ fst c == cosine m /\ snd c == sine m.
 Definition allowed (l : layout) (x : placement) : Prop :=
-  let m := by_motion x in
-  (kind x < length (kinds l))%nat /\ 0 <= slack x /\ cosine m * cosine m + sine m * sine m == 1 /\
-  (mirrored m = true -> may_mirror (kind_of l x) = true) /\ rotated l x.
+  (kind x < length (kinds l))%nat /\ (mirrored (by_motion x) = true -> may_mirror (kind_of l x) = true) /\ rotated l x.
 Definition number (l : layout) (k : nat) : nat := count_occ Nat.eq_dec (map kind (placements l)) k.
 Definition demanded (l : layout) (k n : nat) : Prop := exists p, nth_error (kinds l) k = Some p /\ demand p = Some n.
 Definition supplied (l : layout) : Prop := forall k n, demanded l k n -> number l k = n.
 Definition keeps (d : Q) (S T : point -> Prop) : Prop := ~ overlap S T /\ at_least d S T.
 
+(* Distances, radii, errors and slacks are not negative; placements are rotations, with or without mirroring. *)
+Definition amounts (f : figure) : Prop := 0 <= error f /\ Forall (fun p => 0 <= snd p) (rounded f).
+Definition well_formed (l : layout) : Prop :=
+  (0 <= spacing l /\ 0 <= margin l) /\ Forall (fun p => amounts (form p)) (kinds l) /\
+  Forall (fun o => amounts (fst o) /\ 0 <= snd o) (obstacles l) /\ (forall f, sheet l = Some f -> amounts f) /\
+  Forall (fun x => let m := by_motion x in 0 <= slack x /\ cosine m * cosine m + sine m * sine m == 1) (placements l).
+
 Record valid (l : layout) : Prop := {
+  measures : well_formed l;
   rules : Forall (allowed l) (placements l) /\ supplied l;
   shapes : Forall (fun p => is_shape (form p)) (kinds l) /\ Forall (fun x => is_shape (placed l x)) (placements l) /\
     Forall (fun o => is_shape (fst o)) (obstacles l);
@@ -112,8 +118,8 @@ Record valid (l : layout) : Prop := {
   no_defect : forall x o S T, In x (placements l) -> In o (obstacles l) ->
     shape_of (placed l x) S -> shape_of (fst o) T -> keeps (snd o) S T }.
 
-(* Faults, whatever the true shapes are.  These have all points that are deeper than e in the drawn shape; and points of
-   one of the two, or of the complement of one of the two, are at distance e or less from the other, or its complement. *)
+(* Faults, whatever the true shapes are: the Hausdorff distance of S and the drawn shape is at most their error, and so is
+   that of their complements. *)
 Definition true_shape (f : figure) (S : point -> Prop) : Prop :=
   (forall z, ~ within (error f) (fun y => ~ drawn f y) z -> S z) /\ known_to (error f) (drawn f) S /\
   known_to (error f) S (drawn f) /\ known_to (error f) (fun z => ~ S z) (fun z => ~ drawn f z).
@@ -139,7 +145,7 @@ Definition has (l : layout) (f : fault) : Prop :=
   | Overlapping i b => between l i b (fun _ S T => overlap S T)
   | Too_close i b => between l i b (fun d S T => ~ at_least d S T)
   end.
-Definition faulty (l : layout) (fs : list fault) : Prop := fs <> [] /\ Forall (has l) fs /\ ~ valid l.
+Definition faulty (l : layout) (fs : list fault) : Prop := well_formed l /\ fs <> [] /\ Forall (has l) fs /\ ~ valid l.
 
 (* No-fit polygons.  O is the set of translations at which G + t overlaps D.  The claim on rings (loops) and segments (exact
    fits): together they are the boundary of O, where G + t touches D; off them, the loops wind once around O, not the rest. *)
@@ -156,7 +162,8 @@ Definition no_fit_claim (D G loops : list ring) (fits : list (point * point)) : 
   (forall t, L t <-> (closure (overlaps_at D G) t /\ ~ overlaps_at D G t)) /\
   (forall t, ~ L t -> (overlaps_at D G t /\ winding loops t = 1%Z) \/ (~ overlaps_at D G t /\ winding loops t = 0%Z)).
 
-(* Loops by name, all listed counter-clockwise: each is simple, and the holes have no point in common. *)
+(* Loops by name, all listed counter-clockwise: each is simple, and the holes have no point in common.  `simple` is about
+   winding numbers: a loop may touch itself. *)
 Definition named (exterior : ring) (holes : list ring) : Prop :=
   simple [exterior] /\ Forall (fun h => simple [h]) holes /\ forall z, winding holes z = 0%Z \/ winding holes z = 1%Z.
 Definition with_holes (exterior : ring) (holes : list ring) : list ring := exterior :: map (@rev _) holes.

@@ -5,15 +5,17 @@ module B = Big_int_Z
 
 let scan = ref (Scanf.Scanning.from_string "")
 let token () = Scanf.bscanf !scan " %s" Fun.id
-let integer () = B.big_int_of_string (token ())
-let positive s = let n = B.big_int_of_string s in if B.sign_big_int n > 0 then n else failwith "not positive"
+let read s = if s = "" then failwith "no number" else B.big_int_of_string s      (* zarith reads "" as 0 *)
+let integer () = read (token ())
+let positive s = let n = read s in if B.sign_big_int n > 0 then n else failwith "not positive"
 let nat () = let n = int_of_string (token ()) in if n >= 0 then n else failwith "negative"
 let list f = List.init (nat ()) (fun _ -> f ())      (* List.init goes from the first on *)
-let option f = if nat () = 1 then Some (f ()) else None
+let flag () = match nat () with 0 -> false | 1 -> true | _ -> failwith "neither 0 nor 1"
+let option f = if flag () then Some (f ()) else None
 let pair f g = let a = f () in let b = g () in (a, b)
 let rational () =
   match String.split_on_char '/' (token ()) with
-  | [n; d] -> { qnum = B.big_int_of_string n; qden = positive d }
+  | [n; d] -> { qnum = read n; qden = positive d }
   | _ -> failwith "not a fraction"
 let point () = pair integer integer
 let rational_point () = pair rational rational
@@ -41,9 +43,9 @@ let triangles () = pair (fun () -> list ring) (fun () -> list (fun () -> list ri
 let part () =
   let form = figure () in let demand = option nat in let rotations = option (fun () -> list rational_point) in
   let mirrored_rotations = option (fun () -> list rational_point) in
-  let may_mirror = nat () = 1 in { form; demand; rotations; mirrored_rotations; may_mirror }
+  let may_mirror = flag () in { form; demand; rotations; mirrored_rotations; may_mirror }
 let placement () =
-  let kind = nat () in let mirrored = nat () = 1 in let cosine = rational () in let sine = rational () in
+  let kind = nat () in let mirrored = flag () in let cosine = rational () in let sine = rational () in
   let shift = rational_point () in let slack = rational () in
   { kind; by_motion = { mirrored; cosine; sine; shift }; slack }
 let layout () =
@@ -54,11 +56,12 @@ let certificate () =
   let kind_pieces = list (fun () -> list ring) in let obstacle_pieces = list (fun () -> list ring) in
   let outside_pieces = list ring in let frame = quadruple () in
   { denominator; part_pieces; kind_pieces; obstacle_pieces; outside_pieces; frame }
-let body () = match nat () with 0 -> Part (nat ()) | 1 -> Beyond | _ -> Obstacle (nat ())
+let body () = match nat () with 0 -> Part (nat ()) | 1 -> Beyond | 2 -> Obstacle (nat ()) | _ -> failwith "no body"
 let fault () = match nat () with
   | 0 -> Missing (nat ()) | 1 -> Surplus (nat ()) | 2 -> Mirrored (nat ()) | 3 -> Rotated (nat ()) | 4 -> Not_simple (nat ())
   | 5 -> let i = nat () in Overlapping (i, body ())
-  | _ -> let i = nat () in Too_close (i, body ())
+  | 6 -> let i = nat () in Too_close (i, body ())
+  | _ -> failwith "no fault"
 (* Normals are hints: whatever this table gives, the theorem holds. *)
 let normals () =
   let table = Hashtbl.create 1000 in
@@ -96,7 +99,8 @@ let () =
   try
     while true do
       scan := Scanf.Scanning.from_string (read_line ());
-      print_endline (match answer (token ()) with
+      let found () = let is_accepted = answer (token ()) in if token () = "" then is_accepted else failwith "words after the claim" in
+      print_endline (match found () with
         | true -> "accepted"
         | false -> "rejected"
         | exception (Failure _ | Invalid_argument _ | Scanf.Scan_failure _ | End_of_file) -> "unreadable")
