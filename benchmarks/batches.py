@@ -126,7 +126,7 @@ def tabulate_model(costs: Sequence[BatchCost], alone: float) -> Table:
         *(f"{LARGE:,}", f"{LARGE_CHUNK}", f"{client / 3600:.1f} h"),
         *(f"{pair * LARGE / 3600:,.0f} h", f"{record * LARGE:,.0f}"),
     )
-    table.caption = f"{pair * LARGE / client:.0f} workers keep the scheduler as busy as themselves"
+    table.caption = f"{pair * LARGE / client:.0f} workers saturate the scheduler"
     return table
 
 

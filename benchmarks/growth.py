@@ -43,7 +43,7 @@ def strips(n: int) -> Ring:
 
 
 def saw(n: int) -> Ring:
-    """Make a saw of an odd number n of vertices, with teeth 100 high."""
+    """Make a saw with n vertices, n odd, and teeth of height 100."""
     return [(0, 0), (n - 3, 0), *((x, 100 if x % 2 else 3) for x in range(n - 3, -1, -1))]
 
 

@@ -85,7 +85,7 @@ def draw_border(random: Random, inner: int) -> Offsets:
 
 
 def draw_tile(borders: list[Offsets], room: int) -> list[tuple[int, int]]:
-    """Make the part of a cell from its left, right, lower and upper border, less a gap."""
+    """Make the part in a cell from its four borders (left, right, lower, upper), less a gap."""
     left, right, low, high = borders
     ring = [(room, room), *((along, off + room) for along, off in low)]
     ring += [(CELL - room, room), *((CELL + off - room, along) for along, off in right)]

@@ -1,1 +1,1 @@
-"""Other programs on the same sweeps: times, and exactness of their answers."""
+"""Comparison with other programs on the same sweeps: running time and exactness."""

@@ -1,6 +1,6 @@
 """Run a program with a limit on wall time.
 
-A system limit on processor time would make Linux count a process' time in coarse ticks.
+With a system limit on processor time, Linux measures it in coarse ticks.
 """
 
 from __future__ import annotations

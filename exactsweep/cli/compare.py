@@ -47,8 +47,8 @@ def compare_command(
       unsupported    nothing to compare
       undecided      not compared within 60 CPU seconds
 
-    The report states, for each part, the distance of the loops, the area between them, and a place
-    to check by hand. The exit code is 0 if the verdict is no worse than --accept, and 1 otherwise.
+    For each part, the report states the distance and the area between the loops, and a place to
+    check by hand. The exit code is 0 if the verdict is no worse than --accept, and 1 otherwise.
 
     Example:
       exactsweep compare directions-y answer.json

@@ -122,7 +122,7 @@ class _Wanted(NamedTuple):
         "--margin",
         callback=checked(to_gap),
         metavar="DISTANCE",
-        help="Minimum distance of parts from the boundary of the container and from its defects.",
+        help="Minimum distance from parts to the boundary of the container and to its defects.",
     ),
 )
 @gather(

@@ -39,7 +39,7 @@ GENERATRIX = Polygon([(0, 0), (2, 0), (2, 1), (1, 2), (0, 1)])
 DIRECTRIX = Polygon([(0, 0), (8, 0), (8, 5), (7, 5), (3, 1), (2, 5), (0, 5)])
 
 ReadingOptions = dict[str, Any]
-"""The argument "tolerance" and the `Options` of the readers."""
+"""Keyword arguments of the readers: "tolerance" and `Options`."""
 
 _COORDINATES = "exactsweep.coordinates"
 _ERRORS = "exactsweep.errors"

@@ -65,7 +65,7 @@ def _is_path(file: str) -> bool:
 def _read_with_path(
     a: str, file: str, path: Polyline, is_svg: bool, reading: ReadingOptions
 ) -> tuple[Region, Polyline]:
-    """Read the polygon of a sum with a path; if the directions of Y differ, use Y up for both."""
+    """Read the polygon to add to a path; if their Y axes differ in direction, use Y up for both."""
     name, found = show_path(split_choice(a)[0]), read_choice(a, **reading)
     report_skipped([f"{name}: {reason}" for reason in found.left_out])
     notes = [f"{name}: {note}" for note in found.notes]

@@ -26,4 +26,4 @@ def require_known(name: str, names: Collection[str], thing: str) -> str:
 
 def _some(names: Collection[str]) -> str:
     shown = sorted(names)
-    return f"there are {', '.join(shown[:8])}{', ...' if len(shown) > 8 else ''}"
+    return f"choose from {', '.join(shown[:8])}{', ...' if len(shown) > 8 else ''}"

@@ -40,7 +40,7 @@ def write_corpus(folder: Path) -> int:
 def digest_release(version: int) -> str:
     """Return the SHA-256 of all questions and answers up to a version, for `release/versions.json`.
 
-    It covers sorted lines of JSON without spaces, with the members `_ANSWERED`, sorted by name.
+    It covers sorted JSON lines without spaces, with the members `_ANSWERED`, sorted by name.
     """
     lines = sorted(
         json.dumps(

@@ -189,7 +189,7 @@ class _Finder:
         return [n for n in self._edges[k] if not any(is_right(side, known[n]) for side in sides)]
 
     def _cover(self, side: DirectedSegment, edges: Sequence[int], at: tuple[int, int]) -> list[int]:
-        """Cover a side by known edges, written as -1 - n, and numbers of sums."""
+        """Cover a side; return the numbers of sums, and -1 - n for known edge n."""
         start, end = side.start, side.end
         ahead = [(span, -1 - n) for n in edges if (span := intersect(side, self._known[n]))]
         ahead.sort(reverse=True)

@@ -122,8 +122,8 @@ def find_contacts(generatrix: Outline, directrix: Outline, t: Vertex) -> list[Co
     for j, (x, y) in enumerate(directrix.vertices):
         for kind, i in generatrix.find_at((x * scale - tx, y * scale - ty), scale):
             found.add(Contact("VV" if kind == "V" else "EV", i, j))
-    # The end of an overlap toward the start of G's edge is that start or an end of D's edge, and so
-    # one of the contacts above.
+    # Follow an overlap back toward the start of G's edge: it ends at that start or at an end of D's
+    # edge, so at one of the contacts found above.
     for event, i, j in list(found):
         u = generatrix.pieces[i].direction
         for k in [j] if event == "VE" else [j, directrix.before[j]]:

@@ -89,7 +89,7 @@ class Overlap:
 
     @property
     def distance_squared(self) -> Fraction:
-        """The squared distance of the shapes, 0 if they have a common point."""
+        """The squared distance between the shapes, 0 if they have a common point."""
         return Fraction(0) if self.verdict != "FREE" else self._distance.value
 
     @property

@@ -1,7 +1,7 @@
 """Undercuts: the regions between D and the inner loop, out of G's reach (Section 4, Figure 7).
 
 A piece of D bounds an undercut on one side; its bottom chain, a piece of the inner loop, bounds it
-on the other. They meet in the extreme contact points. For a convex G, the bottom chain is a piece
+on the other. They meet at the extreme contact points. For a convex G, the bottom chain is a piece
 of G in one position (Figure 7a), or a piece of an edge of G that can slide along itself while it
 touches both points (Figure 7b). A monotone G may need several positions.
 

@@ -126,7 +126,7 @@ def bring_to_one(files: Sequence[tuple[str, PartList[_Turned]]]) -> tuple[Coordi
             notes.append(f"{name}: Y axis flipped: it points down in this file and up in others")
     units = {one.unit for one in systems} - {None}
     if len(units) > 1:
-        notes.append("the files have different units (--unit brings them to one)")
+        notes.append("the files have different units (--unit converts them to one)")
     unit = units.pop() if len(units) == 1 else None
     return Coordinates(bool(systems) and all(one.y_down for one in systems), unit), notes
 

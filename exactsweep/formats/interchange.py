@@ -1,4 +1,4 @@
-"""Conversion from and to shapely and numpy; `Polygon` itself accepts sympy polygons."""
+"""Conversion to and from shapely and numpy; `Polygon` itself accepts sympy polygons."""
 
 from __future__ import annotations
 

@@ -153,7 +153,7 @@ def read_polygons(
 ) -> PartList[NamedPolygon]:
     """Read all polygons of a file, or those selected by a choice after "#".
 
-    Arguments are those of `read_polygon`, results those of `parse_polygons`.
+    Takes the arguments of `read_polygon`; returns what `parse_polygons` returns.
     """
     return _read_file(
         path, lambda f, c: _select(f, c).read_each(Candidate.named_polygons), tolerance, options

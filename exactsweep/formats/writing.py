@@ -98,13 +98,13 @@ def _wkt(regions: Sequence[NamedRegion], fits: Sequence[Fit], unit: Fraction | N
 
 
 def write_wkt_polygon(rings: Mapping[str, Sequence[Point]]) -> str:
-    """Write a WKT POLYGON on one line; the keys of the rings name them in messages."""
+    """Write a WKT POLYGON on one line; messages name rings by their keys."""
     rows = [write_wkt_points(name, [*ring, ring[0]]) for name, ring in rings.items()]
     return f"POLYGON ({', '.join(rows)})\n"
 
 
 def write_wkt_points(name: str, points: Sequence[Point]) -> str:
-    """Write points as a parenthesized list of WKT."""
+    """Write points as a parenthesized WKT list."""
     return f"({', '.join(f'{x} {y}' for x, y in _row(name, points, 'WKT'))})"
 
 

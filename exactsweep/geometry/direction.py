@@ -80,8 +80,8 @@ class Directions:
     def arcs(self) -> tuple[tuple[Vector, Vector], ...]:
         """Return the maximal closed arcs as pairs (first, last), counter-clockwise.
 
-        A single direction is an arc from itself to itself, and so are all directions of a convex
-        polygon.
+        An isolated direction u is the arc (u, u). If all directions are monotone, as for a convex
+        polygon, the result is also one arc (u, u).
         """
         n = len(self.critical)
         if all(self.after):

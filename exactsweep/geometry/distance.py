@@ -1,4 +1,4 @@
-"""The squared distance of two shapes, with two nearest points.
+"""The squared distance between two shapes, with two nearest points.
 
 (1) Shapes meet if and only if their boundaries meet, or a vertex of one exterior lies in the other
     shape.
@@ -28,7 +28,7 @@ _NearestRatio = tuple[Rational, Rational]
 
 
 class SquaredDistance(NamedTuple):
-    """The squared distance of two shapes, 0 if they meet, and a nearest point of each shape."""
+    """The squared distance between two shapes, 0 if they meet, and a nearest point of each."""
 
     value: Fraction
     points: tuple[Point, Point]
@@ -36,7 +36,7 @@ class SquaredDistance(NamedTuple):
 
 @tells_arguments
 def distance_squared(a: Region | Vertices, b: Region | Vertices) -> SquaredDistance:
-    """Find the squared distance of two shapes as closed sets, and two nearest points.
+    """Find the squared distance between two shapes as closed sets, and two nearest points.
 
     Args:
         a: a Polygon, a Region or the vertices of a polygon.
@@ -160,8 +160,8 @@ _NearestEnd = tuple[Rational, Rational, Vertex, Edge, bool]
 def measure_ends(edge: Edge, other: Edge) -> _NearestEnd:
     """Find which end of two disjoint segments is nearest to the other segment.
 
-    Returns the squared distance n / d as n and d; the end, the other segment, and whether the end
-    belongs to the first segment.
+    Returns (n, d, end, segment, is_first): the squared distance n / d, the nearest end, the segment
+    that it is nearest to, and whether the end belongs to the first argument.
     """
     best: _NearestEnd | None = None
     for one, side, is_first in ((edge, other, True), (other, edge, False)):

@@ -52,7 +52,7 @@ class AffineMap(NamedTuple):
 class PointSet:
     """The points of a Polygon or a Region, including the boundary.
 
-    Methods cost O(n). Images keep the numbers of vertices and edges from the input.
+    Methods cost O(n). Images keep the input's numbering of vertices and edges.
     """
 
     __slots__ = ()
@@ -88,7 +88,7 @@ class PointSet:
         raise NotImplementedError
 
     def _facts(self) -> list[tuple[str, str]]:
-        """List the rows of the table in a notebook, as names and texts."""
+        """List the rows of the notebook table as pairs (name, text)."""
         raise NotImplementedError
 
     def _repr_svg_(self) -> str:

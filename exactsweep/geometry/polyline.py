@@ -21,9 +21,9 @@ class Polyline:
     """A path of segments; polylines are equal if they have the same points in the same order.
 
     Args:
-        points: one or more pairs of numbers, as for `Polygon`; a Polyline; or a Point, a LineString
-            or a LinearRing of GeoJSON, a dict or a `__geo_interface__`. Z coordinates are dropped.
-            Equal neighbours count once. The path may cross itself.
+        points: one or more pairs of numbers, as for `Polygon`; a Polyline; or a GeoJSON Point,
+            LineString or LinearRing, as a dict or a `__geo_interface__`. Z coordinates are dropped.
+            Repeated consecutive points count once. The path may cross itself.
         closed: whether a segment joins the last point to the first.
 
     Raises:

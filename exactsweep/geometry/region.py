@@ -121,7 +121,7 @@ class Region(PointSet):
 
     @property
     def is_convex(self) -> bool:
-        """Whether the region is convex; never with holes."""
+        """Whether the region is convex; False if it has holes."""
         return not self.holes and self.exterior.is_convex
 
     def _image(self, under: AffineMap) -> Region:

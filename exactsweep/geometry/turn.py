@@ -33,7 +33,7 @@ MAX_TURN_BITS = 100_000
 _ZERO, _ONE = Fraction(0), Fraction(1)
 _QUARTERS = ((_ONE, _ZERO), (_ZERO, _ONE), (-_ONE, _ZERO), (_ZERO, -_ONE))
 
-# All threads share the constants that mpmath caches, in two steps each.
+# mpmath caches constants globally and updates each in two steps, which is not thread-safe.
 _mpmath_lock = Lock()
 
 

@@ -78,7 +78,7 @@ def touch(a: Vertex, b: Vertex, p: Vertex, q: Vertex) -> list[Vertex] | None:
         return [low, high]
     if of_a and of_b and of_p and of_q:
         return None
-    # The edges are not parallel and meet in one point, an end of one of them.
+    # The edges are not parallel and meet at one point, an end of one of them.
     return [a if of_a == 0 else b if of_b == 0 else p if of_p == 0 else q]
 
 

@@ -161,7 +161,7 @@ class Board:
         return [*self._find_outside(), *self._find_defects()]
 
     def required(self, wall: int) -> Fraction:
-        """Return the required distance of parts from an item of `around`."""
+        """Return the required distance between parts and an item of `around`."""
         number = wall - self.first_defect - len(self.holes)
         own = self.layout.defects[number].spacing if number >= 0 else None
         return self.layout.margin if own is None else own

@@ -27,7 +27,7 @@ class Clearance(NamedTuple):
     Attributes:
         square: d^2, or -d^2 if d is negative.
         radius: r, the sum of both radii, or for the outside of a rounded container the difference.
-        hulls: the distance of the hulls, on the lattice.
+        hulls: the distance between the hulls, on the lattice.
         pieces: the indices of the pieces.
     """
 
@@ -254,7 +254,7 @@ def _find_meeting(one: Sequence[Vertex], other: Sequence[Vertex]) -> Vertex:
 
 
 def measure_gap(a: Solid, b: Solid, found: Clearance) -> SquaredDistance:
-    """Return the squared distance of two solids that do not overlap, and their nearest points.
+    """Return the squared distance between two solids that do not overlap, and their nearest points.
 
     Irrational values are rounded up, with relative error at most 2^-64.
     """

@@ -54,7 +54,7 @@ def find_nearest_pair(board: Board, touching: tuple[int, int] | None) -> Nearest
 def _find_best(
     board: Board, pairs: Iterable[tuple[int, int]], best: NearestPair | None
 ) -> NearestPair:
-    """Find the nearest of some pairs, or `best` if none is nearer."""
+    """Return the nearest of the pairs, or `best` if none is nearer."""
     for k, j in pairs:
         if best is not None and best.square == 0:
             break

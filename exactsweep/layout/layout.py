@@ -153,7 +153,7 @@ class Defect:
     Attributes:
         shape: a Region, or a tuple of RoundedPiece.
         error: as for `LayoutPart`.
-        spacing: the required distance of parts; None for the margin of the layout.
+        spacing: the required distance to parts; None for the margin of the layout.
     """
 
     shape: BodyShape
@@ -178,7 +178,7 @@ class Layout:
         parts: a tuple of LayoutPart with different ids.
         placements: a tuple of Placement.
         spacing: the required distance between placed parts, at least 0.
-        margin: the required distance of parts from the container's boundary and from defects, at
+        margin: the required distance from parts to the container's boundary and to defects, at
             least 0.
         error: as for `LayoutPart`, of the container.
         defects: a tuple of Defect, in addition to the holes of the container.

@@ -1,4 +1,4 @@
-"""The minimum distance of two solids that do not overlap.
+"""The minimum distance between two solids that do not overlap.
 
 Two segments that do not meet are nearest at an end of one of them, so their squared distance is a
 quotient of two ints.
@@ -17,7 +17,7 @@ from exactsweep.numbers.number import Edge, Point, Rational
 
 
 def find_gap(a: Solid, b: Solid, below: Fraction) -> SquaredDistance | None:
-    """Find the minimum squared distance of two boundaries, if it is below a bound.
+    """Find the minimum squared distance between two boundaries, if it is below a bound.
 
     The solids are polygonal, on a common lattice, and do not overlap.
 

@@ -31,7 +31,7 @@ def cut_outside(exterior: IntRing, frame: tuple[int, int, int, int]) -> list[Con
     corners = _rectangle(left, low, right, high)
 
     def find_side(p: IntVertex) -> int | None:
-        """Return the index of the box side of a point; a corner ends its side."""
+        """Return the index of the box side through p; at a corner, the side that ends there."""
         x, y = p
         sides = [y == low and x > left, x == right and y > low, y == high and x < right, x == left]
         return sides.index(True) if any(sides) else None
@@ -43,7 +43,7 @@ def cut_outside(exterior: IntRing, frame: tuple[int, int, int, int]) -> list[Con
         assert start is not None
         assert end is not None
         passed = range(start, start + (end - start) % 4)
-        # A corner ends its side, so the chain may start at the first one.
+        # A corner belongs to the side that ends there, so the chain may start at the first one.
         border = [c for c in (corners[(k + 1) % 4] for k in passed) if c != chain[0]]
         ring = [chain[0], *border, *chain[:0:-1]]
         if len(chain) > 2 or border:

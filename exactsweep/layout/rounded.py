@@ -222,7 +222,7 @@ def bound_area(shape: BodyShape | None) -> tuple[Fraction, Fraction] | None:
 
 
 class HullDistance(NamedTuple):
-    """The signed squared distance of two hulls; see (2).
+    """The signed squared distance between two hulls; see (2).
 
     Attributes:
         n, d: the squared distance as n / d; n is negative if the hulls overlap.
@@ -237,7 +237,7 @@ class HullDistance(NamedTuple):
 
 
 def measure_hulls(one: Sequence[Vertex], other: Sequence[Vertex]) -> HullDistance:
-    """Measure the distance of two convex hulls.
+    """Measure the distance between two convex hulls.
 
     Corners are counter-clockwise; a degenerate hull has one or two. The edges of A - B are those of
     A and of -B.

@@ -1,4 +1,4 @@
-"""Conversion of numbers from and to text, with ints of any length.
+"""Conversion of numbers to and from text, with ints of any length.
 
 Python's conversions between int and str reject more than 4300 digits; those of Decimal do not.
 """

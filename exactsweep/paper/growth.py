@@ -94,7 +94,7 @@ class Growth:
 
     @property
     def judged(self) -> int:
-        """The number of largest sizes that determine the exponent; 0 for all."""
+        """How many of the largest sizes to fit the exponent to; 0 for all."""
         return 3 if self.unit == "seconds" else 0
 
     @property

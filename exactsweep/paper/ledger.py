@@ -28,7 +28,7 @@ class UnknownClaimError(ExactSweepError):
 
 
 def examine(row: Mapping[str, Any], effort: Effort) -> Iterator[Observation]:
-    """Try the laws of a row on random pairs, run its check, and measure its claimed costs."""
+    """Test the laws of a row on random pairs, run its check, and measure its claimed costs."""
     laws = row.get("laws", {}).items()
     yield try_laws(((resolve_name(f"{CHECKS}.{law}"), pairs) for law, pairs in laws), effort)
     for law, side, most, generatrix, directrix, *none in row.get("search", ()):

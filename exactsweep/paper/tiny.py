@@ -22,7 +22,7 @@ from exactsweep.procedures.chain import split
 
 @cache
 def list_polygons(side: int, vertices: int) -> tuple[tuple[tuple[int, int], ...], ...]:
-    """List all strictly X-monotone polygons with k corners on a grid, moved to the axes."""
+    """List all strictly X-monotone polygons with k corners on a grid that touch both axes."""
     found = set()
     for chosen in combinations(sorted(product(range(side + 1), repeat=2)), vertices):
         first, *others, last = chosen

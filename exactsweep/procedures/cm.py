@@ -7,7 +7,7 @@ boundary is D_b with its undercuts closed (Figure 7). Time and space are O(m n),
 
 Lemma A.3 (at most one crossing) also holds for degenerate input. T(G_t, D_i) is the minimum over a
 in D_i of D_b(a) + h(x - a) for a convex function h. So the left subtrajectory minus the right one
-never decreases along x, even with jumps and parallel edges. It is zero in one point, on one
+never decreases along x, even with jumps and parallel edges. It is zero at one point, on one
 segment, or nowhere.
 """
 

@@ -137,7 +137,7 @@ def _find_left_over(
 
 
 def find_point(line: Line, n: int, d: int) -> HomogeneousPoint:
-    """Return the point of a line at the parameter n / d, reduced."""
+    """Return the point on a line at parameter n / d, in lowest terms."""
     dx, dy, c = line
     x, y, w = (n * dx, n * dy + c * d, dx * d) if dx else (-c * d, n * dy, dy * d)
     common = gcd(x, y, w)

@@ -150,7 +150,7 @@ class MonotoneSolution:
     def _join(self, boundary: Callable[[LowerMM], Chain]) -> list[Vertex]:
         lower, upper = (boundary(half).points for half in self.halves)
         upper = inverse(upper)
-        # At each end the two chains meet in a point, or a vertical edge joins them.
+        # At each end the two chains meet at a point, or a vertical edge joins them.
         return lower + upper[upper[0] == lower[-1] : len(upper) - (upper[-1] == lower[0])]
 
     def _loop(self, boundary: Callable[[LowerMM], Chain]) -> list[Point]:

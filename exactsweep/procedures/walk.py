@@ -48,7 +48,7 @@ def find_free(
     """Find the loops and the exact fits among pieces of contact segments.
 
     `overlaps` decides whether a position is in O; all coordinates are divided by the scale. With
-    `around_overlap`, loops that meet in a point are split so that each bounds one component of O,
+    `around_overlap`, loops that meet at a point are split so that each bounds one component of O,
     otherwise of the free positions.
 
     Cost: O(k) for k pieces, plus one test for each closed walk, each two-sided piece and each

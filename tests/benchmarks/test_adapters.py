@@ -161,7 +161,7 @@ def test_missing_programs_are_rejected_by_name(monkeypatch: pytest.MonkeyPatch) 
     monkeypatch.setattr("benchmarks.peers.adapters.cgal_sum.which", lambda _: None)
     with pytest.raises(MissingError, match=r"cgal-full is not installed: compile .*cgal_sums\.cpp"):
         load("cgal-full")
-    with pytest.raises(MissingError, match="no adapter 'abacus'; there are shapely, "):
+    with pytest.raises(MissingError, match="no adapter 'abacus'; choose from shapely, "):
         load("abacus")
 
 

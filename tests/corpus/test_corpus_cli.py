@@ -50,5 +50,5 @@ def test_generation_streams() -> None:
 @pytest.mark.parametrize(("count", "more"), [(8, ""), (9, ", ...")])
 def test_eight_known_names_are_listed(count: int, more: str) -> None:
     names = [str(k) for k in range(1, 1 + count)]
-    with pytest.raises(ValueError, match=f"; there are 1, 2, 3, 4, 5, 6, 7, 8{more}$"):
+    with pytest.raises(ValueError, match=f"; choose from 1, 2, 3, 4, 5, 6, 7, 8{more}$"):
         require_known("unlike them", names, "digit")

@@ -121,7 +121,7 @@ def test_parts_are_chosen_by_name(read: Read) -> None:
         ("x,y,cx\n0,0,0\n", PART, "two columns for x: 'x', 'cx'"),
         ("x,y,deg,rad\n0,0,0,0\n", PART, "two columns of angles, in degrees and in radians"),
         ("x,y,deg\n", PART, "a table without rows"),
-        ("part,x,y\nother,0,0\n", PART, "line 2: no part has the name 'other'; there are 'tile'"),
+        ("part,x,y\nother,0,0\n", PART, "line 2: no part has the name 'other'; choose from 'tile'"),
         ("x,y,flip\n0,0,maybe\n", PART, "line 2: mirrored: 'maybe' is neither true nor false"),
         ("x,y\n0,0\n", '{"parts": [], "placements": []}', "reads the outlines of its parts"),
     ],

@@ -47,14 +47,14 @@ def load(name: str) -> Adapter:
     Example:
         >>> load("abacus")
         Traceback (most recent call last):
-        benchmarks.peers.adapters.adapter.MissingError: no adapter 'abacus'; there are shapely, \
+        benchmarks.peers.adapters.adapter.MissingError: no adapter 'abacus'; choose from shapely, \
 pyclipper, clipper2, klayout, pysfcgal, cgal-reduced, cgal-full, cgal-bisectors, cgal-optimal, \
 cgal-hertel-mehlhorn, cgal-greene, cgal-vertical, cgal-triangulation, clipper2-ts, \
 js-angusj-clipper, polygon-clipping, convex-minkowski-sum, libnfporb, libnfporb-rational, \
 svgnest-orbit, svgnest-clipper, deepnest-clipper
     """
     if name not in _MODULES:
-        raise MissingError(f"no adapter {quote(name)}; there are {', '.join(NAMES)}")
+        raise MissingError(f"no adapter {quote(name)}; choose from {', '.join(NAMES)}")
     module = import_module(f"benchmarks.peers.adapters.{_MODULES[name]}")
     try:
         adapter: Adapter = module.adapter(name)

@@ -87,8 +87,8 @@ def compare(
         numbers: the numbers of the program, as for `Hello`, or None.
 
     Returns:
-        A Comparison of the parts that are answered or promised. An answer without parts is
-        unsupported. Omitted exact fits mean that there are none.
+        A Comparison of the parts that the answer has or the program promised. An answer without
+        parts is unsupported. Omitted exact fits mean that there are none.
 
     Raises:
         AnswerError: the answer has the id of another case.

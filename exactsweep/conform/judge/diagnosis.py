@@ -66,7 +66,7 @@ class _DiagnosedRings(NamedTuple):
 def diagnose(case: Case, name: str, rings: PointRings, rounding: Fraction) -> tuple[str, ...]:
     """Find the questions to which answered rings are the exact answer, up to rounding.
 
-    Returns all matching phrases, the likeliest first; reference points may coincide.
+    Returns all matching phrases, most likely first; reference points may coincide.
 
     Cost: that of a sweep and of several calls of `are_close`; linear if no bounding box matches.
     """
@@ -169,7 +169,7 @@ def _other_loops(theirs: _DiagnosedRings) -> Iterator[str]:
 
 
 def _other_positions(theirs: _DiagnosedRings) -> list[str]:
-    """Name mistakes for any reference point, the likeliest first.
+    """List mistakes that explain the answer up to translation, most likely first.
 
     Mistakes may coincide on symmetric shapes. Usual reference points come first, then reflections
     and sums, then other points.

@@ -1,4 +1,4 @@
-"""The distance of the vertices of two loops from each other."""
+"""The maximum distance from a vertex of one loop to the other loop."""
 
 from __future__ import annotations
 

@@ -48,7 +48,7 @@ class Trapezoid(NamedTuple):
         return gaps * (self.right - self.left) / 2
 
     def corners(self) -> tuple[Point, ...]:
-        """Return the corners counter-clockwise; two of them coincide in a triangle."""
+        """Return four corners counter-clockwise; a triangle repeats one."""
         sides = (self.left, self.low[0]), (self.right, self.low[1])
         return tuple(
             Point(*p) for p in (*sides, (self.right, self.high[1]), (self.left, self.high[0]))

@@ -61,7 +61,7 @@ def _largest(case: Case) -> Fraction:
 
 
 def name_arithmetic(exact: PointRings, theirs: PointRings) -> tuple[str, ...]:
-    """Name the arithmetic errors that explain all vertices of a loop, the likeliest first.
+    """Name the arithmetic errors that explain all vertices of a loop, most likely first.
 
     For example "rounded to integers", "rounded to 6 digits" or "wraps around at 32 bits". The
     answered rings may cross.

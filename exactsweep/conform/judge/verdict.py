@@ -102,7 +102,7 @@ class PartComparison:
         conservative: a Witness of lost free space, or None.
         granted: the strict bound on coordinate errors, if one was needed.
         kind: the differences of exact fits, or another property of the loop; "" if there is none.
-        diagnosis: the questions to which the loop is the exact answer, the likeliest first.
+        diagnosis: the questions to which the loop is the exact answer, most likely first.
     """
 
     name: str

@@ -98,7 +98,7 @@ def needles(m: int, n: int) -> tuple[Ring, Ring]:
 
     D_b has about m / 3 needles under a high ceiling, and G_t has `inner_peaks(n)` peaks. All
     differences of x between a peak and a valley are distinct ints, also after shifting some of them
-    by the distance of two needles: see the proof of Lemma 5.5.
+    by the distance between two needles: see the proof of Lemma 5.5.
     """
     peaks = inner_peaks(n)
     pitch = 2 * peaks + 2

@@ -47,7 +47,7 @@ class _Row(NamedTuple):
     point: str = "."
 
     def read(self, meaning: str) -> Fraction:
-        """Read a number, ignoring letters before it."""
+        """Read a number, ignoring leading letters."""
         text = _PREFIX.sub("", self.cells[meaning].strip(), count=1).replace(self.point, ".")
         with name_refusals(f"{self.place}: {meaning}", FormatError):
             return read_decimal(text)
@@ -171,7 +171,7 @@ def _find_part(row: _Row, parts: Mapping[str, Data]) -> Data:
     if len(parts) == 1 and "part" not in row.cells:
         return next(iter(parts.values()))
     known = ", ".join(quote(one) for one in [*parts][:4])
-    raise FormatError(f"{row.place}: no part has the name {quote(name)}; there are {known}")
+    raise FormatError(f"{row.place}: no part has the name {quote(name)}; choose from {known}")
 
 
 def _read_turn(row: _Row, *, radians: bool) -> str:

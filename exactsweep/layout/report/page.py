@@ -29,7 +29,7 @@ def write_layout_page(
 ) -> str:
     """Write a judged layout as an HTML page, with pictures of the worst faults.
 
-    Arguments are those of `report_layout` and `draw_layout`.
+    Takes the arguments of `report_layout` and `draw_layout`.
 
     Cost: as for `draw_layout`.
     """

@@ -74,7 +74,7 @@ def draw_layout(
 ) -> str:
     """Draw a layout as an SVG image with its faults enlarged below.
 
-    Arguments are those of `report_layout`; with `y_down`, Y points down.
+    Takes the arguments of `report_layout`; with `y_down`, Y points down.
 
     Raises:
         DrawError: a point is too far outside the picture.

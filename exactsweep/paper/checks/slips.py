@@ -128,4 +128,4 @@ def count_calls(effort: Effort) -> Iterator[Observation]:
         "a G wider than D, at the largest counted size",
     )
     if growth.exponent() <= growth.claimed() + 0.2:
-        yield "the edges grow as fast as the operations"
+        yield "the number of edges grows as fast as the number of operations"

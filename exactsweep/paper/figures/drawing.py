@@ -2,8 +2,8 @@
 
 A panel is a list of instructions: a method of `PanelDrawer` and its arguments. A shape is a name,
 such as "outer", "outer.3" for its vertex 3, or "outer/3" for the middle of its edge 3; or it is a
-literal point or chain. In panel a, the shape "a_name" overrides "name". "=" precedes the name of
-computed words. A look is an entry of `looks`, or a name of the style.
+literal point or chain. In panel a, the shape "a_name" overrides "name". "=name" stands for
+words that the module computes. A look is an entry of `looks`, or a name of the style.
 """
 
 from __future__ import annotations
@@ -134,7 +134,7 @@ class PanelDrawer:
         dy: float = 0,
         how: Mapping[str, Any] | None = None,
     ) -> None:
-        """Write words next to one or more points; "=" precedes the name of computed words.
+        """Write words next to one or more points; "=name" stands for computed words.
 
         `dx` and `dy` are offsets to the right and upward, or `dx` names a shape with vectors. `how`
         has "ha" and "va" for the alignment, "leader" for a line to the point, and "small".

@@ -1,4 +1,4 @@
-"""Figure 9: the distance of the two loops across an edge of the trajectory."""
+"""Figure 9: the distance between the two loops across an edge of the trajectory."""
 
 from __future__ import annotations
 
