@@ -60,7 +60,7 @@ def test_comments_are_not_searched() -> None:
 
 def test_the_page_of_statements_is_short_and_proves_nothing() -> None:
     page = (PROOF / "Statements.v").read_text(encoding="utf-8")
-    assert len(page.splitlines()) < 210
+    assert len(page.splitlines()) < 200
     assert not re.findall(r"\b(Lemma|Theorem|Proof|Qed)\b", without_comments(page))
 
 

@@ -12,8 +12,7 @@ Definition ring := list point.                                  (* closed: the l
 Definition edges (r : ring) : list (point * point) := match r with [] => [] | p :: t => combine r (t ++ [p]) end.
 
 (* Twice the signed area of the triangle a, b, p: positive where p is left of the line from a to b. *)
-Definition orient (a b p : point) : Q :=
-  (fst b - fst a) * (snd p - snd a) - (snd b - snd a) * (fst p - fst a).
+Definition orient (a b p : point) : Q := (fst b - fst a) * (snd p - snd a) - (snd b - snd a) * (fst p - fst a).
 
 (* How often rings go around z, counter-clockwise: edges that cross the ray from z to the right, upward ones minus
    downward ones.  The lower end of an edge belongs to it, the upper end does not. *)
@@ -23,20 +22,17 @@ Definition crossing (z : point) (e : point * point) : Z :=
   if Qle_bool (snd a) (snd z) && less (snd z) (snd b) && less 0 (orient a b z) then 1%Z
   else if Qle_bool (snd b) (snd z) && less (snd z) (snd a) && less (orient a b z) 0 then (-1)%Z
   else 0%Z.
-Definition winding (rs : list ring) (z : point) : Z :=
-  fold_right Z.add 0%Z (map (crossing z) (flat_map edges rs)).
+Definition winding (rs : list ring) (z : point) : Z := fold_right Z.add 0%Z (map (crossing z) (flat_map edges rs)).
 
 (* A shape is where the winding number of its rings is 1: exteriors counter-clockwise, holes clockwise.  By the rule above
    it contains its left and lower sides, not the others; by `half_open` (HalfOpen.v) only its boundary depends on the rule. *)
 Definition inside (rs : list ring) (z : point) : Prop := winding rs z = 1%Z.
 
 (* Topology and distance *)
-Definition close (e : Q) (y z : point) : Prop :=
-  - e < fst y - fst z < e /\ - e < snd y - snd z < e.
+Definition close (e : Q) (y z : point) : Prop := - e < fst y - fst z < e /\ - e < snd y - snd z < e.
 Definition interior (S : point -> Prop) (z : point) : Prop := exists e, 0 < e /\ forall y, close e y z -> S y.
 Definition closure (S : point -> Prop) (z : point) : Prop := forall e, 0 < e -> exists y, S y /\ close e y z.
-Definition dist2 (y z : point) : Q :=
-  (fst y - fst z) * (fst y - fst z) + (snd y - snd z) * (snd y - snd z).
+Definition dist2 (y z : point) : Q := (fst y - fst z) * (fst y - fst z) + (snd y - snd z) * (snd y - snd z).
 Definition overlap (S T : point -> Prop) : Prop := exists z, interior S z /\ interior T z.
 Definition disjoint (S T : point -> Prop) : Prop := forall z, ~ (S z /\ T z).
 Definition at_least (d : Q) (S T : point -> Prop) : Prop :=     (* any two points are at distance d or more *)
@@ -65,8 +61,7 @@ Record motion := { mirrored : bool; cosine : Q; sine : Q; shift : point }.
 Definition move (m : motion) (p : point) : point :=
   let x := if mirrored m then - fst p else fst p in
   (cosine m * x - sine m * snd p + fst (shift m), sine m * x + cosine m * snd p + snd (shift m)).
-Definition place (m : motion) (rs : list ring) : list ring :=
-  map (fun r => map (move m) (if mirrored m then rev r else r)) rs.
+Definition place (m : motion) (rs : list ring) : list ring := map (fun r => map (move m) (if mirrored m then rev r else r)) rs.
 
 Record part := {
   form : figure; demand : option nat;                                     (* None: any number *)
@@ -149,8 +144,7 @@ Definition faulty (l : layout) (fs : list fault) : Prop := well_formed l /\ fs <
 
 (* No-fit polygons.  O is the set of translations at which G + t overlaps D.  The claim on rings (loops) and segments (exact
    fits): together they are the boundary of O, where G + t touches D; off them, the loops wind once around O, not the rest. *)
-Definition translate (t : point) (rs : list ring) : list ring :=
-  map (map (fun p => (fst p + fst t, snd p + snd t))) rs.
+Definition translate (t : point) (rs : list ring) : list ring := map (map (fun p => (fst p + fst t, snd p + snd t))) rs.
 Definition overlaps_at (D G : list ring) (t : point) : Prop := overlap (inside D) (inside (translate t G)).
 Definition on_segment (e : point * point) (z : point) : Prop :=
   exists s, 0 <= s <= 1 /\ fst z == fst (fst e) + s * (fst (snd e) - fst (fst e)) /\
