@@ -26,7 +26,7 @@ WIDE = 190
 
 quick_option = click.option("--quick", is_flag=True, help="Small pairs only, no seconds.")
 limit_option = click.option(
-    "--limit", default=20.0, help="Seconds that one program may take on one pair."
+    "--limit", default=20.0, help="Time limit per program and pair, in seconds."
 )
 cgal_option = click.option(
     "--cgal",
@@ -41,7 +41,7 @@ def measure_peers(quick: bool, limit: float) -> Comparison:
 
 
 def show(tables: Iterable[object], width: int = WIDTH) -> None:
-    """Print the machine, and tables as they are ready."""
+    """Print a description of the machine, then each table as soon as it is ready."""
     console = Console(width=max(width, Console().width))
     console.print(machine())
     for table in tables:

@@ -60,7 +60,7 @@ GROWTH = (
     "multiplications and comparisons of coordinates and vertices out, the same on every run; bytes "
     "are the peak beside the input. The figures show all of these divided by the bounds."
 )
-PROGRAMS = "Median time of the trajectory, and the range from the least to the greatest."
+PROGRAMS = "Median time for the trajectory, with minimum and maximum."
 
 
 def markdown(table: Table) -> list[str]:

@@ -75,7 +75,7 @@ class Cgal:
         """Find the fastest strategy for P + Q, or for P eroded by -Q, from counter-clockwise rings.
 
         Returns:
-            None if no strategy ends within the limit.
+            None if no strategy finishes within the limit.
         """
         strategies = self._worth.get((family, stage), EROSIONS if stage == "inner" else SUMS)
         found: list[tuple[Best, tuple[str, str]]] = []

@@ -35,9 +35,10 @@ PAIRS = (
 )
 """The family of each pair, and the vertices of its directrix and generatrix."""
 TIMES = (
-    "Processor times in ms: median (least to greatest). The kernel is given polygons; the times "
-    "with checks are from lists of numbers, with every check that they are simple polygons, which "
-    "other programs do not make. Of polygons of any shape, the kernel finds all loops and fits."
+    "CPU time in ms: median (minimum to maximum). The kernel starts from Polygon objects; the "
+    "times with checks start from lists of numbers, and include checking that the polygons are "
+    "simple, which other programs omit. For polygons of any shape, the kernel finds all loops and "
+    "fits."
 )
 SECONDS = 0.5
 STARTING = 3.0

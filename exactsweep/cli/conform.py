@@ -62,7 +62,7 @@ class _ProgramCommand(click.Command):
 @takes_file("--cases path", "Cases as JSON lines; default: the corpus.")
 @takes_file(
     "--pairs",
-    "Your own polygons in any format, to test all pairs of them; or lines of JSON with a directrix "
+    "Your own polygons in any format, to test all pairs of them; or JSON lines with a directrix "
     "and a generatrix. Exact answers are computed.",
 )
 @takes_reading

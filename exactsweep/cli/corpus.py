@@ -108,7 +108,7 @@ def list_command(names: tuple[str, ...], prefix: str | None, filters: dict[str, 
     metavar="ID|FLAG|FAMILY",
     shell_complete=offer(complete.CASES, complete.FLAGS, complete.FAMILIES),
 )
-@click.option("--json", "as_json", is_flag=True, help="Write the case as one line of JSON.")
+@click.option("--json", "as_json", is_flag=True, help="Write the case as one JSON line.")
 def show_command(name: str, as_json: bool) -> None:
     """Show a case with notes on its flags, a flag, or a family of the generator.
 

@@ -201,5 +201,5 @@ def _types(held: Iterable[str]) -> list[str]:
 
 
 def case_to_line(case: Case) -> str:
-    """Write a case as a line of JSON."""
+    """Write a case as a JSON line."""
     return json.dumps(case_to_json(case), separators=(",", ":")) + "\n"

@@ -60,7 +60,7 @@ def read_pairs(path: str, tolerance: object = None, **options: Unpack[Options]) 
     """Read pairs of polygons as cases.
 
     Args:
-        path: a file, or "-" for standard input. It has lines of JSON as for `read_case`, one such
+        path: a file, or "-" for standard input. It has JSON lines as for `read_case`, one such
             object over several lines, or polygons in any format of `parse_regions`, of which all
             ordered pairs are cases.
         tolerance: passed to `parse_regions`.

@@ -39,7 +39,7 @@ def cases(
     """Yield the shipped cases, theme by theme.
 
     Args:
-        prefix: one or several beginnings of ids, such as the name of a theme and a hyphen.
+        prefix: one or several id prefixes, such as the name of a theme and a hyphen.
         flags: the required flags.
         kind: one or several of "CC", "CM", "MM" and "SS".
         max_size: the maximum number of vertices of D and G.
@@ -134,7 +134,7 @@ def read_schema() -> str:
 
 
 def require_start(name: str, *others: str) -> str:
-    """Return the beginning of some id, or raise UnknownNameError with a suggestion."""
+    """Return a prefix of at least one id, or raise UnknownNameError with a suggestion."""
     ids = list_ids()
     if not any(id.startswith(name) for id in ids):
         require_known(name, [*others, *themes(), *ids], "theme or case")

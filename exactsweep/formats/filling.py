@@ -254,7 +254,7 @@ def _gather(
 
 
 def _measure(inside: Sequence[Edge], boundary: Sequence[Edge]) -> Fraction:
-    """Bound the squared distance of edges from the boundary, by one end and the length of each."""
+    """Bound the squared distance from edges to the boundary, by one end and the length of each."""
     most = Fraction(0)
     for a, b in inside:
         x, y = minus(b, a)

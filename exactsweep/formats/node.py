@@ -99,7 +99,7 @@ class JsonNode(NamedTuple):
 
     @property
     def ring(self) -> list[list[str]]:
-        """A list of points, as a ring of Layout JSON."""
+        """A list of points, as a Layout JSON ring."""
         return write_ring([read_point(*point) for point in self.each()])
 
     @property
@@ -115,17 +115,17 @@ class JsonNode(NamedTuple):
 
 
 def write_ring(points: Sequence[Point]) -> list[list[str]]:
-    """Convert points to a ring of Layout JSON, without a repeated last point."""
+    """Convert points to a Layout JSON ring, without a repeated last point."""
     closed = len(points) > 1 and points[0] == points[-1]
     return [[*map(format_fraction, point)] for point in points[: -1 if closed else None]]
 
 
 def write_shape(exterior: list[list[str]], holes: Sequence[list[list[str]]]) -> Data:
-    """Convert rings to a shape of Layout JSON."""
+    """Convert rings to a Layout JSON shape."""
     return {"exterior": exterior} | ({"holes": [*holes]} if holes else {})
 
 
 def write_box(left: Fraction, low: Fraction, width: Fraction, height: Fraction) -> list[list[str]]:
-    """Convert a rectangle to a ring of Layout JSON."""
+    """Convert a rectangle to a Layout JSON ring."""
     right, top = left + width, low + height
     return write_ring([Point(left, low), Point(right, low), Point(right, top), Point(left, top)])

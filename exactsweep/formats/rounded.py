@@ -22,7 +22,7 @@ _TURN = 0.5
 
 
 class RoundedOutline(NamedTuple):
-    """The points at distance at most `radius` from the convex hull of some points.
+    """The points at distance at most `radius` from the convex hull of a set of points.
 
     Attributes:
         points: the corners of the hull, counter-clockwise; one for a disc, two for a slot.

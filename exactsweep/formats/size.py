@@ -1,4 +1,4 @@
-"""Size limits of texts; see 6 in `exactsweep.numbers.limits`."""
+"""Size limits for input text; see 6 in `exactsweep.numbers.limits`."""
 
 from math import ceil
 

@@ -54,7 +54,7 @@ def _sweep(ring: Sequence[Vertex], order: Sequence[int]) -> Conflict | None:
             return Conflict("vertex touches edge", v, edge)
         previous_ends, next_ends = edges[before][1] == point, edges[after][1] == point
         if previous_ends and next_ends:
-            # Both edges are neighbours: an edge between them would meet them here.
+            # Both edges are adjacent in the status: an edge between them would meet them here.
             status[low : low + 2] = []
             fresh = [(low - 1, low)]
         elif previous_ends or next_ends:

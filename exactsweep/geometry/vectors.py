@@ -85,7 +85,7 @@ def touch(a: Vertex, b: Vertex, p: Vertex, q: Vertex) -> list[Vertex] | None:
 def find_hull(points: Iterable[P]) -> list[P]:
     """Find the convex hull of points (Andrew's monotone chain). Cost: O(n log n).
 
-    Returns the corners, counter-clockwise from the least one: two if the points are collinear, none
+    Returns the corners, counter-clockwise from the smallest: two if the points are collinear, none
     if they are equal.
 
     >>> find_hull([(0, 0), (4, 0), (1, 1), (2, 0), (0, 4)])

@@ -34,7 +34,7 @@ _SIDES, _AREA_BITS = 32, 64
 
 
 class RoundedPiece(NamedTuple):
-    """All points at distance at most `radius` from the convex hull of some points.
+    """All points at distance at most `radius` from the convex hull of a set of points.
 
     Attributes:
         points: the corners of the hull, counter-clockwise; one or two for a degenerate hull.

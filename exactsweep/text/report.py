@@ -215,7 +215,7 @@ def make_table(heads: Iterable[str], numbers: Container[str] = (), width: int = 
 
 
 def list_facts(texts: Mapping[str, str], width: int) -> Table:
-    """Make a table of names and texts, with a minimum width for the names."""
+    """Make a table of names and descriptions, with a minimum width for the names."""
     from rich.table import Table
 
     table = Table.grid(padding=(0, 2, 0, 0))

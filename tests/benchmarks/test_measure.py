@@ -45,7 +45,7 @@ def test_the_exactness_of_programs_is_one_page(tmp_path: Path) -> None:
     assert head.startswith("| program | convex | monotone |")
     assert row.startswith("| a program | 1 of 2 |  |")
     *_, head, _, row = verdicts.strip().splitlines()
-    assert head.endswith("| cases | exact | unsound | smallest not right |")
+    assert head.endswith("| cases | exact | unsound | smallest failure |")
     assert row == "| a program | outer path | 2 | 1 | 1 | squares |"
 
 

@@ -46,7 +46,7 @@ program. [Other programs](README.md) lists the questions to each.
 FAILURES = """
 ## All verdicts
 
-The last column names the smallest case that the program does not get right: `exactsweep corpus show
+The last column names the smallest case that the program gets wrong: `exactsweep corpus show
 ID` prints it.
 
 """
@@ -85,7 +85,7 @@ def write_page(journals: Iterable[Path], asked: str) -> str:
         ]
         for key, tally in found.items()
     )
-    head = ["program", "asked", "cases", "exact", *used, "smallest not right"]
+    head = ["program", "asked", "cases", "exact", *used, "smallest failure"]
     return (
         f"{HEAD}Measured on {date.today():%d %B %Y}: {asked}.\n\n"
         + _tabulate(["program", *COLUMNS, INSIDE], rows)

@@ -222,7 +222,7 @@ def adapt(case: Case, hello: Hello) -> Case:
         scaled = _transform(case, case.integer_scale)
         if SUM not in hello.questions or hello.numbers == "integer":
             return scaled
-        # The least number of these types has no negative.
+        # The minimum of a signed type cannot be negated, so check the reflected rings too.
         reflected = chain.from_iterable(chain.from_iterable(list_reflected_rings(scaled)))
         if hello.numbers in find_types([*reflected], 1):
             return scaled

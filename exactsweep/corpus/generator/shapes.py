@@ -79,7 +79,7 @@ def draw_rectilinear(
 
 
 def build_columns(widths: Sequence[int], heights: Sequence[int]) -> Ring:
-    """List the upper side of columns from left to right, from x = 0."""
+    """List the top boundary of adjacent columns from left to right, starting at x = 0."""
     xs = [x for x, _ in walk((width, 0) for width in widths)]
     return [(x, y) for k, y in enumerate(heights) for x in xs[k : k + 2]]
 

@@ -49,8 +49,8 @@ def find_sheets(outlines: Sequence[Candidate], container: str | None) -> list[Sh
 
     Args:
         outlines: the outlines of a drawing.
-        container: the name, index or layer of the container, or a group whose outermost outline it
-            is; None to find it.
+        container: the name, index or layer of the container, or a group in which it is the
+            outermost outline; None to find it.
 
     Raises:
         FormatError: there is no container, or none with the given name.

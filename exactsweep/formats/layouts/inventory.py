@@ -51,7 +51,7 @@ class WantedPart(NamedTuple):
         return shape | ({"error": format_fraction(self.error)} if self.error else {})
 
     def find_map(self, part: Data) -> Congruence | None:
-        """Find the map to a part of Layout JSON; return None if they are not congruent.
+        """Find the map to a Layout JSON part; return None if the two are not congruent.
 
         Raises PolygonError if the rings of the part do not bound a region.
         """

@@ -84,7 +84,7 @@ def report_layout(
 def list_measures(
     judgement: Judgement, ranked: Sequence[WorstFirst], context: ReportContext = NO_CONTEXT
 ) -> dict[str, str]:
-    """Return the verdict and the measures of a layout as texts, by name."""
+    """Return the verdict and the measures of a layout as strings, by name."""
     layout = judgement.layout
     facts = {
         "verdict": write_verdict(judgement, ranked, context),

@@ -28,7 +28,7 @@ def sizes_are_bounded(pair: SweepPair) -> Iterator[str]:
 
 
 def find_large_parts(effort: Effort) -> Iterator[Observation]:
-    """Count the edges of outer boundaries for a G_t of one edge."""
+    """Count the edges of outer boundaries when G_t is a single edge."""
     rows = []
     for n_b in (4, 8, 16):
         pair = under_a_lid(n_b)

@@ -52,7 +52,7 @@ class Widths(NamedTuple):
 
 
 def _measure(s: Sweep) -> Iterator[Widths]:
-    """Yield the widths at the middles of those edges of the lower half with rational length.
+    """Yield the widths at the midpoints of the lower edges with rational length.
 
     Edges are skipped if no vertex of I(G), placed inside or outside, is on the loop.
     """

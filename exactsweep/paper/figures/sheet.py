@@ -32,7 +32,7 @@ class Extent(NamedTuple):
 
     @classmethod
     def around(cls, points: Iterable[Vertex], title: str, margins: Sequence[float]) -> Self:
-        """Return the bounding box of some points as an extent."""
+        """Return the bounding box of points as an extent."""
         xs, ys = zip(*points, strict=True)
         return cls((min(xs), min(ys)), (max(xs), max(ys)), title, margins)
 
