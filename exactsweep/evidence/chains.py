@@ -88,7 +88,7 @@ class _Strips:
 
 
 class _Finder:
-    """A search for evidence: the sums listed so far, their chains, and the gaps of their sides."""
+    """A search for evidence: the sums listed so far, their chains, and the gaps in their sides."""
 
     def __init__(self, sums: Sums, beyond: Sequence[DirectedSegment]) -> None:
         self._sums = sums

@@ -33,7 +33,7 @@ def read_text(path: str) -> str:
         raise FormatError(f"{quote(path)} is not a path")
     try:
         with _open(path) as file:
-            # One byte more proves the excess, even for an endless device.
+            # One byte past the limit shows that the file is too large, even for an endless device.
             data = file.read(get_max_bytes() + 1)
     except OSError as error:
         raise FormatError(error.strerror or str(error)) from None

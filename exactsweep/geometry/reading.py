@@ -1,4 +1,4 @@
-"""Readers of vertices, from pairs of numbers or a `__geo_interface__` to an integer lattice."""
+"""Readers that put vertices, given as pairs or a `__geo_interface__`, on an integer lattice."""
 
 from __future__ import annotations
 

@@ -31,7 +31,7 @@ from exactsweep.numbers.number import Point
 MOST_BITS = 256
 """Maximum precision of rational rotations, in bits."""
 
-# Rotations are precise enough if curves have this many times their slack, by (3).
+# Rotations are precise enough once the slack of curves is this many times theirs, by (3).
 _SHARE = 1000
 
 

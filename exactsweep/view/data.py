@@ -104,7 +104,7 @@ def gather_page_data(
     y_down: bool = False,
     tell: Callable[[str], object] = str,
 ) -> dict[str, Any]:
-    """Collect the data of the page of a Sweep as JSON data; see `make_page` for the arguments.
+    """Collect the data for a Sweep's page as JSON data; see `make_page` for the arguments.
 
     Scaled coordinates are flat lists x, y, x, y, ... of floats, for G relative to the anchor.
     "exact" holds the coordinates as strings, in the same order.
@@ -152,7 +152,7 @@ def gather_positions(
     names: tuple[str, str] | None = None,
     y_down: bool = False,
 ) -> dict[str, Any]:
-    """Collect the data of the page of a no-fit polygon or an inner fit as JSON data.
+    """Collect the data for the page of a no-fit polygon or an inner fit as JSON data.
 
     Stops are the vertices of loops, ends of exact fits on loops, and meetings of two vertices.
     Raises DrawError if there is no position.

@@ -93,7 +93,7 @@ def read_layouts(path: str, **options: Unpack[LayoutOptions]) -> list[FoundLayou
         part: the file with the parts of a table of placements.
         radians: whether angles are in radians.
         container: the name, index, layer or group of the container in a drawing; False for no
-            container; by default it is found.
+            container; detected by default.
         tolerance: as for `exactsweep.formats.parse_polygons`.
         options: as for `exactsweep.formats.parse_polygons`.
 

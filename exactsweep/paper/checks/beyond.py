@@ -102,7 +102,7 @@ def find_held_position(effort: Effort) -> Iterator[Observation]:
 
 
 def inner_fit_is_the_definition(pair: SweepPair) -> Iterator[str]:
-    """The inner fit has the regions, holes and exact fits of the definition."""
+    """The inner fit agrees with the definition in regions, holes and exact fits."""
     yield from compare_inner_fits(_enlarge(pair.directrix), pair.generatrix)
 
 

@@ -78,7 +78,7 @@ def swept_area_is_the_definition(pair: SweepPair) -> Iterator[str]:
 
 
 def is_annulus(pair: SweepPair) -> Iterator[str]:
-    """The swept area has the outer and the inner loop of the definition, and no other loop."""
+    """The swept area has the outer and the inner loop as defined, and no other loop."""
     if loops := sweep(*pair).unswept:
         yield f"{len(loops)} more loops"
     yield from swept_area_is_the_definition(pair)

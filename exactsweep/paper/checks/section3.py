@@ -33,7 +33,7 @@ def returns(
     fails: Callable[[str, Sequence[Vertex]], Iterable[str]] = lambda procedure, chain: (),
     **procedures: str,
 ) -> Law:
-    """Return a law: each procedure returns the boundary of the definition.
+    """Return the law that each procedure computes the boundary as defined.
 
     Args:
         words: the law, if it states more than that.
@@ -49,7 +49,7 @@ def returns(
 
     loop, procedure = next(iter(procedures.items()))
     boundary = loop if loop == "trajectory" else f"{loop} boundary"
-    law.__doc__ = words or f"{procedure} returns the {boundary} of the definition."
+    law.__doc__ = words or f"{procedure} returns the {boundary} as defined."
     return law
 
 
@@ -119,7 +119,7 @@ def clockwise_slopes_merge(pair: SweepPair) -> Iterator[str]:
 
 
 def trajectory_by_slope(pair: SweepPair) -> Iterator[str]:
-    """The merge by slope is the trajectory of the definition."""
+    """The merge by slope is the trajectory as defined."""
     expected = look_up_bottom(pair, "trajectory")
     yield describe_difference("the merge by slope", merge_all(pair), expected)
 
@@ -131,19 +131,19 @@ def has_edge_in_two(procedure: str, chain: Sequence[Vertex]) -> Iterator[str]:
 
 
 trajectory_cc_is_right = returns(
-    "Trajectory_CC returns the trajectory of the definition, with parallel edges joined.",
+    "Trajectory_CC returns the trajectory as defined, with parallel edges joined.",
     has_edge_in_two,
     trajectory="Trajectory_CC",
 )
 outer_cc_is_right = returns(
-    "SweepO_CC returns the outer boundary of the definition, with parallel edges joined.",
+    "SweepO_CC returns the outer boundary as defined, with parallel edges joined.",
     has_edge_in_two,
     outer="SweepO_CC",
 )
 
 
 def inner_cc_is_right(pair: SweepPair) -> Iterator[str]:
-    """SweepI_CC returns D_b, which is the inner boundary of the definition."""
+    """SweepI_CC returns D_b, which is the inner boundary as defined."""
     top, _, directrix = pair.chains
     expected = look_up_bottom(pair, "inner")
     yield describe_difference("SweepI_CC", sweep_inner_cc(top, directrix), expected)

@@ -109,7 +109,7 @@ def inner_as_printed(pair: SweepPair) -> Iterator[str]:
 
 
 sweep_mm_is_right = returns(
-    "Sweep_MM, as corrected, returns both boundaries of the definition.",
+    "Sweep_MM, as corrected, returns both boundaries as defined.",
     inner="Sweep_MM, inner loop",
     outer="Sweep_MM, outer loop",
 )
