@@ -89,7 +89,7 @@ def suggest(word: str, words: Iterable[str]) -> str:
 
 
 def spell_out(text: str) -> str:
-    r"""Format a text on one line, with escapes for unprintable characters.
+    r"""Format text on one line, with escapes for unprintable characters.
 
     >>> spell_out("a\nb")
     'a\\nb'

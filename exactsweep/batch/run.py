@@ -31,7 +31,7 @@ MAX_WORKERS = 1024
 
 
 class Counts(NamedTuple):
-    """The numbers of pairs, error records and records of an earlier run."""
+    """Counts of pairs, error records, and records from an earlier run."""
 
     pairs: int
     refused: int

@@ -48,7 +48,7 @@ def judge_file(
     gaps: Mapping[str, str],
     accept: Fraction | None = None,
 ) -> list[LayoutRow]:
-    """Judge the layouts of a file; an unreadable file gets a row as well."""
+    """Judge the layouts in a file; an unreadable file gets a row as well."""
     rows = []
     try:
         for found in read():

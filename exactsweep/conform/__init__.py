@@ -1,4 +1,4 @@
-"""Judgement of other implementations by exact answers."""
+"""Conformance testing of other implementations against exact answers."""
 
 from exactsweep.conform.judge.compare import compare
 from exactsweep.conform.judge.verdict import Comparison, PartComparison, Verdict, Witness

@@ -126,7 +126,7 @@ def _read(
 
 
 def _is_pair(text: str | bytes) -> bool:
-    """Decide whether a text looks like a pair, valid or not."""
+    """Decide whether text looks like a pair, valid or not."""
     try:
         document = json.loads(text)
     except (ValueError, RecursionError):

@@ -82,7 +82,7 @@ def require_distinct(cases: Iterable[Case]) -> Iterator[Case]:
 
 
 def read_cases(path: str) -> Iterator[Case]:
-    """Yield the cases of a file of JSON lines, or of standard input for "-".
+    """Yield the cases in a file of JSON lines, or in standard input for "-".
 
     Raises:
         FormatError: a line is no case; the message names the file and the line.

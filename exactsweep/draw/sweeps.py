@@ -157,8 +157,8 @@ def place_generatrix(s: Moving, position: Point) -> AnyPolygon:
 def choose_telling_positions(s: SweepAnswer) -> list[Point]:
     """Choose up to four positions to draw, far from each other.
 
-    These are positions that close undercuts, inner ends of exact fits, and the first vertex of the
-    trajectory.
+    Candidates are positions that close undercuts, inner ends of exact fits, and the first vertex of
+    the trajectory.
     """
     corner = s.trajectory.vertices[0]
     closing = [undercut.positions[0] for undercut in s.undercuts]

@@ -1,4 +1,4 @@
-"""Polygons of a file, read on demand."""
+"""Polygons in a file, read on demand."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ _PolygonOrRegion = TypeVar("_PolygonOrRegion", Polygon, Region)
 
 
 class NamedPolygon(NamedTuple):
-    """A polygon of a file.
+    """A polygon in a file.
 
     Attributes:
         name: its id, or None.
@@ -46,7 +46,7 @@ class NamedPolygon(NamedTuple):
 
 
 class NamedRegion(NamedTuple):
-    """A polygon of a file with its holes; attributes as for `NamedPolygon`."""
+    """A polygon in a file, with its holes; attributes as for `NamedPolygon`."""
 
     region: Region
     name: str | None = None
@@ -59,7 +59,7 @@ class NamedRegion(NamedTuple):
 
 
 class Candidate(NamedTuple):
-    """A polygon of a file, read on demand; its errors do not affect others.
+    """A polygon in a file, read on demand; its errors do not affect others.
 
     Attributes:
         place: its location in the file, for messages; "" if the errors of `vertices` state it.

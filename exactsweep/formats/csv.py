@@ -32,7 +32,7 @@ _RowsByRing = dict[str, list[tuple[int, str, str]]]
 
 
 def is_csv(text: str) -> bool:
-    """Return whether a text begins with two numbers, or a header with x and y or WKT."""
+    """Return whether text begins with two numbers, or a header with x and y or WKT."""
     head = _head(text)
     is_table = {"x", "y"} <= head or not head.isdisjoint(_WKT)
     return is_table or bool(_NUMBERS.match(text.lstrip().partition("\n")[0]))

@@ -84,7 +84,7 @@ def _parse(text: str, number: Callable[[str], object] | None) -> object:
     except RecursionError:
         raise FormatError("nested too deeply") from None
     except ValueError as error:
-        # An int exceeds the digit limit of the interpreter.
+        # An int exceeds the interpreter's digit limit.
         raise FormatError(f"unreadable JSON: {error}") from None
     return document
 

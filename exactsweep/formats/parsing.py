@@ -1,4 +1,4 @@
-"""Recognition of formats, and search for polygons in a text."""
+"""Format detection, and extraction of polygons from text."""
 
 import re
 from collections.abc import Sequence
@@ -37,14 +37,14 @@ _ENTITY = re.compile(r"(?m)^ *0\n[A-Z]")
 def parse_candidates(
     text: str, tolerance: object = None, **options: Unpack[Options]
 ) -> PartList[Candidate]:
-    """Find the polygons of a text like `parse_regions`, without parsing their numbers."""
+    """Find the polygons in text like `parse_regions`, without parsing their numbers."""
     if not isinstance(text, str):
         raise FormatError(f"{type(text).__name__} is not text")
     return parse_by(text, Reading(tolerance, **options))
 
 
 def parse_by(text: str, reading: Reading) -> PartList[Candidate]:
-    """Find the polygons of a text, with the settings of a Reading."""
+    """Find the polygons in text, with the settings of a Reading."""
     candidates = keep_layers(_parse(text, reading), reading)
     if reading.nested:
         candidates = nest_candidates(candidates)
@@ -96,7 +96,7 @@ def _parse(text: str, reading: Reading) -> Sequence[Candidate]:
 
 
 def measure_written(text: str) -> int:
-    r"""Bound the size that a reader charges for a text from `format_polygons`, or for JSON.
+    r"""Bound the size that a reader charges for text from `format_polygons`, or for JSON.
 
     Example:
         >>> measure_written("[[0,0],[1,0],[0,1]]"), measure_written("0,0\n1,0\n0,1\n")

@@ -21,7 +21,7 @@ class Coordinates(NamedTuple):
 
 
 class PartList(list[_Listed]):
-    """Polygons of a file, in order.
+    """Polygons in a file, in order.
 
     Attributes:
         coordinates: the direction of Y and the unit.

@@ -38,7 +38,7 @@ def require_known(text: str) -> None:
 
 
 def is_plain(text: str) -> bool:
-    """Return whether a text consists of numbers, separators and brackets."""
+    """Return whether text consists of numbers, separators and brackets."""
     return bool(_PLAIN.fullmatch(text))
 
 

@@ -55,7 +55,7 @@ def parse_polygon(
 def parse_polygons(
     text: str, tolerance: object = None, **options: Unpack[Options]
 ) -> PartList[NamedPolygon]:
-    """Read all polygons of a text.
+    """Read all polygons in a string.
 
     Args:
         text: JSON as for `exactsweep.formats.json_polygons.read_exact`, one document or one per
@@ -104,7 +104,7 @@ def parse_region(
 def parse_regions(
     text: str, tolerance: object = None, **options: Unpack[Options]
 ) -> PartList[NamedRegion]:
-    """Read all polygons of a text with their holes.
+    """Read all polygons in a string, with their holes.
 
     Arguments, results and errors are those of `parse_polygons`. Holes are inner rings, "holes" in
     JSON, and SVG subpaths that the fill rule leaves empty.
@@ -151,7 +151,7 @@ def read_region(
 def read_polygons(
     path: str | os.PathLike[str], tolerance: object = None, **options: Unpack[Options]
 ) -> PartList[NamedPolygon]:
-    """Read all polygons of a file, or those selected by a choice after "#".
+    """Read all polygons in a file, or those selected by a choice after "#".
 
     Takes the arguments of `read_polygon`; returns what `parse_polygons` returns.
     """
@@ -164,7 +164,7 @@ def read_polygons(
 def read_regions(
     path: str | os.PathLike[str], tolerance: object = None, **options: Unpack[Options]
 ) -> PartList[NamedRegion]:
-    """Read all polygons of a file with their holes, as `read_polygons` does."""
+    """Read all polygons in a file, with their holes, as `read_polygons` does."""
     return _read_file(
         path, lambda f, c: _select(f, c).read_each(Candidate.named_regions), tolerance, options
     )
@@ -173,7 +173,7 @@ def read_regions(
 def read_candidates(
     path: str | os.PathLike[str], tolerance: object = None, **options: Unpack[Options]
 ) -> PartList[Candidate]:
-    """Find the polygons of a file like `read_polygons`, without parsing their numbers."""
+    """Find the polygons in a file like `read_polygons`, without parsing their numbers."""
     return _read_file(path, _select, tolerance, options)
 
 
@@ -184,7 +184,7 @@ def read_choice(
     groups: bool = False,
     **options: Unpack[Options],
 ) -> PartList[Candidate]:
-    """Find the polygon of a file like `read_region`, or with `groups` a group of outlines."""
+    """Find the polygon in a file like `read_region`, or with `groups` a group of outlines."""
 
     def take(found: PartList[Candidate], choice: str | None) -> PartList[Candidate]:
         if groups and choice and is_group(outlines := select(found, choice), choice):

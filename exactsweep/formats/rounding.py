@@ -12,8 +12,9 @@ Outward, a ring has its region on the left. A vertex v lies between the edges e 
    convex hull of all cells.
 4. An exact test proves that the result is a polygon that contains the old one.
 
-Holes are clockwise rings that shrink, and are dropped if no ring is left. Inward, growing holes may
-meet and divide the region; its parts are rounded again until all vertices are on the grid.
+Holes are clockwise rings that shrink, and are dropped if no ring is left. When rounding inward,
+holes grow, and may meet and divide the region; its parts are rounded again until all vertices are
+on the grid.
 """
 
 from __future__ import annotations

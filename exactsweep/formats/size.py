@@ -13,7 +13,7 @@ _NUMBER = 4
 
 
 def measure_text(text: str, vertices: int) -> int:
-    """Return the size of a text in bytes, or the charge for its content if that is greater."""
+    """Return the size of text in bytes, or the charge for its content if that is greater."""
     return weigh(_count_bytes(text), vertices, text.count(","))
 
 
@@ -23,7 +23,7 @@ def weigh(size: int, vertices: int, numbers: int) -> int:
 
 
 def require_text(text: str, vertices: int) -> None:
-    """Reject a text beyond the limit."""
+    """Reject text beyond the size limit."""
     require_size(_count_bytes(text))
     require_count(vertices, VERTEX, "vertices")
     require_count(text.count(","), _NUMBER, "numbers")

@@ -162,7 +162,7 @@ def find_outside(ring: Sequence[Vertex], room: Bounds) -> Rings:
 def contains(outer: Rings, inner: Rings) -> bool:
     """Decide whether a closed shape contains another one.
 
-    Cost: that of `relate` for each ring of the outer shape.
+    Cost: one `relate` per ring of the outer shape.
     """
     shape = EdgeIndex(inner)
     others = [find_outside(outer[0], shape.box), *([hole[::-1]] for hole in outer[1:])]

@@ -1,6 +1,6 @@
 """Search for other conventions of placements that explain a layout with many faults.
 
-Each convention yields another exact layout from the same numbers, which is judged. A rotation R
+Each convention turns the same numbers into another exact layout, which is then judged. A rotation R
 about a center c maps P to R (P - c) + c + t, so it suffices to shift the part and the translation.
 """
 

@@ -136,7 +136,7 @@ class Fault:
     def clearance(self) -> Clearance | None:
         """The exact distance or depth of two rounded shapes; None for polygons.
 
-        It is a square root minus a radius, for the pieces that overlap most or are nearest.
+        It is a square root minus a radius, computed for the deepest or nearest pair of pieces.
         """
         if self._board is None or self.kind not in _REPAIRED:
             return None

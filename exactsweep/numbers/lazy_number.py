@@ -7,7 +7,7 @@ products.
 (1) Disjoint intervals decide the comparison. (2) Otherwise the numbers are computed as unreduced
 quotients of ints: a greatest common divisor of n digits takes n^2 steps, a product n^1.6. Numbers
 are comparable only if they have the same degree in the coordinates, and so the same scale;
-geometric predicates compare no others.
+geometric predicates never compare others.
 """
 
 from __future__ import annotations

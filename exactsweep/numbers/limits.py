@@ -113,10 +113,10 @@ def answer_digits() -> int:
 
 
 def get_max_mib() -> float:
-    """Return the limit on the size of a text in MiB."""
+    """Return the limit on the size of text in MiB."""
     return _max_mib.get() or DEFAULT_MIB
 
 
 def get_max_bytes() -> int:
-    """Return the limit on the size of a text in bytes."""
+    """Return the limit on the size of text in bytes."""
     return int(get_max_mib() * 2**20)

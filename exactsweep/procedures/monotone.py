@@ -185,5 +185,5 @@ class MonotoneSolution:
 
     @cached_property
     def undercuts(self) -> list[UndercutChains]:
-        """The regions between D and the inner loop, along the inner loop, in the frame."""
+        """The regions between D and the inner loop, in order along the loop, in the frame."""
         return find_undercuts(self._join(lambda half: half.inner), self.directrix[0])

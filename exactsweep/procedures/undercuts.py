@@ -29,7 +29,7 @@ def find_undercuts(loop: Sequence[Vertex], directrix: Sequence[Vertex]) -> list[
     """Find the regions between D and the inner loop around it, both counter-clockwise.
 
     They follow the order of their bottom chains along the loop. Regions that share only a point or
-    a vertical edge are separate. Cost: that of `EdgeIndex.near` for each edge of the loop.
+    a vertical edge are separate. Cost: one `EdgeIndex.near` per edge of the loop.
 
     >>> roof = [(0, 0), (3, 0), (3, 3), (2, 1), (1, 3), (0, 3)]
     >>> find_undercuts([(0, 0), (3, 0), (3, 3), (0, 3)], roof)

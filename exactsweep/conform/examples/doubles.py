@@ -25,7 +25,7 @@ Contours = list[Contour]
 """A polygon: its exterior, then its holes, in either orientation."""
 ComplexLine = tuple[complex, complex]
 ComplexRings = list[list[complex]]
-"""Rings with the inside on the left, their points as complex numbers."""
+"""Rings of complex numbers, with the interior on the left."""
 
 
 def no_fit(d: Contours, g: Contours, reference: tuple[float, float]) -> Contours:

@@ -88,7 +88,7 @@ def compare(
 
     Returns:
         A Comparison of the parts that the answer has or the program promised. An answer without
-        parts is unsupported. Omitted exact fits mean that there are none.
+        parts is unsupported. An answer without exact fits states that there are none.
 
     Raises:
         AnswerError: the answer has the id of another case.

@@ -97,7 +97,7 @@ def find_witness(case: Case, name: str, theirs: PointRings, cells: Iterable[Trap
     """Find a Witness with short coordinates that proves an answered loop wrong.
 
     Raises:
-        WitnessError: the definition agrees with the answer instead of the case.
+        WitnessError: the definition refutes the expected answer of the case.
     """
     cell = max(cells, key=lambda cell: cell.area)
     show = {"inner": _of_inner, "outer": _of_outer}.get(name, partial(_of_positions, name=name))

@@ -68,7 +68,7 @@ def cut(reason: str) -> str:
 
 
 def replace_controls(text: str) -> str:
-    """Replace control characters of an untrusted text, except line ends and tabs."""
+    """Replace control characters in untrusted text, except line ends and tabs."""
     return "".join(
         c if c.isprintable() or c in "\n\t" else "\N{REPLACEMENT CHARACTER}" for c in text
     )

@@ -83,7 +83,7 @@ def shrink(
     Raises:
         ShrinkError: the verdict on the case is exact or equivalent.
 
-    Cost: that of `tries` times `judge` and `sweep`.
+    Cost: `tries` calls of `judge` and `sweep`.
 
     Example:
         >>> from exactsweep.corpus import find_case

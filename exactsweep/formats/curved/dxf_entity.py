@@ -195,7 +195,7 @@ def _read_sections(text: str) -> dict[str, list[Entity]]:
 
 
 def _divide(text: str) -> Iterator[Entity]:
-    """Divide a text into entities; lines are group codes and values, alternately."""
+    """Split text into entities; lines alternate between group codes and values."""
     lines = text.replace("\r\n", "\n").replace("\r", "\n").split("\n")
     words, values = lines[::2], lines[1::2]
     known: dict[str, int] = {}

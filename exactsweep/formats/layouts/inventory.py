@@ -66,7 +66,7 @@ class WantedPart(NamedTuple):
 
 
 def read_inventory(path: str, reading: Reading) -> list[WantedPart]:
-    """Read the parts of a file, folder or pattern, merging congruent ones; raises FormatError."""
+    """Read the parts in a file, folder or pattern, merging congruent ones; raises FormatError."""
     listing = list_parts([path], reading.tolerance, **(reading.options | {"nested": True}))
     found: list[WantedPart] = []
     names = make_unique([part.name for part in listing.parts])

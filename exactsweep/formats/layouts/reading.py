@@ -63,7 +63,7 @@ def read_layout(path: str, **options: Unpack[LayoutOptions]) -> dict[str, Any]:
 
 @tells_arguments
 def parse_layouts(text: str, **options: Unpack[LayoutOptions]) -> list[FoundLayout]:
-    """Read the layouts of a text, like `read_layouts`; the instance is also a text.
+    """Read the layouts in a string, like `read_layouts`; the instance is also a string.
 
     Example:
         >>> found = parse_layouts(
@@ -81,7 +81,7 @@ def parse_layouts(text: str, **options: Unpack[LayoutOptions]) -> list[FoundLayo
 
 @tells_arguments
 def read_layouts(path: str, **options: Unpack[LayoutOptions]) -> list[FoundLayout]:
-    """Read the layouts of a file, or of standard input.
+    """Read the layouts in a file, or in standard input.
 
     Args:
         path: a path, or "-" for standard input, optionally with "#" and the index of a sheet.
@@ -203,7 +203,7 @@ def _parse_each(
     container: _Container,
     reading: Reading,
 ) -> list[FoundLayout]:
-    """Read the layouts of a text, with a `flatten` function for those with curves."""
+    """Read the layouts in a string, with a `flatten` function for those with curves."""
     found = _parse(text, known, container, reading)
     if container is False:
         found = [one._replace(data={**one.data}) for one in found]

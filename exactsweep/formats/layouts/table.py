@@ -54,7 +54,7 @@ class _Row(NamedTuple):
 
 
 def is_table(text: str) -> bool:
-    """Return whether a text is a table of placements, judging by its column names.
+    """Return whether text is a table of placements, judging by its column names.
 
     >>> is_table("id,x,y,deg"), is_table("name,x,y"), is_table('[{"x": 1, "y": 2, "angle": 3}]')
     (True, False, True)
