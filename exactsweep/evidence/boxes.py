@@ -61,7 +61,7 @@ def grow(boxes: Sequence[tuple[CellBox, int]]) -> Tree:
 def find_touching(one: Tree, other: Tree, third: Tree) -> Iterator[tuple[int, int, int]]:
     """Yield the indices of boxes of three trees such that the first touches the sum of the others.
 
-    Cost: O(log n) per result, if boxes are not much longer than their distances.
+    Cost: O(log n) per result, if boxes are not much longer than the gaps between them.
 
     >>> first = grow([((0, 1, 0, 1), 0), ((8, 9, 8, 9), 1)])
     >>> [*find_touching(first, Tree((1, 2, 1, 2), -1, 0), Tree((6, 7, 6, 7), -1, 0))]

@@ -46,8 +46,8 @@ class Certified:
         """Return plain JSON data that proves the answer to `check/standalone.py`.
 
         `check/CERTIFICATES.md` describes the format. Positions are those of the moving polygon's
-        origin. Raises PolygonError for placed or attached shapes and for a NoFitUnion. Cost: that
-        of `evidence.proof.add_proof`.
+        origin. Raises PolygonError for placed or attached shapes and for a NoFitUnion. Cost: as
+        for `evidence.proof.add_proof`.
 
         Example:
             >>> from exactsweep import no_fit_polygon

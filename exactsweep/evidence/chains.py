@@ -1,7 +1,7 @@
 """Evidence that loops and fits bound the sums: listed sums, and chains that cover their sides.
 
-(1) For each known edge, of a loop or a fit, sums with a side along it are listed, first those with
-    sides along the most known edges.
+(1) For each known edge, of a loop or a fit, list sums with a side along it; prefer those with sides
+    along the most known edges.
 (2) Each side of a listed sum is covered from its start to its end by, in order of preference, known
     edges, the sum that covered the end of the last side, the largest listed sum, or the largest sum
     of all, which is then listed.

@@ -59,8 +59,8 @@ def find_edge_contacts(
 ) -> list[list[Contact]]:
     """Find all contacts along each edge of a trajectory or another loop of free translations.
 
-    The contacts of an edge are sorted, last along a piece of positive length, and omit EV and VE
-    contacts that are part of an EE contact. Cost: O(t + m n) for t edges.
+    The contacts of an edge are sorted, and each holds along a piece of positive length. EV and VE
+    contacts that are part of an EE contact are omitted. Cost: O(t + m n) for t edges.
     """
     lines: defaultdict[tuple[Vector, Rational], list[tuple[int, Segment]]] = defaultdict(list)
     for k, piece in enumerate(map(make_segment, edges)):

@@ -45,7 +45,7 @@ class MinkowskiSum(Region):
         """Return plain JSON data that proves the sum to `check/standalone.py`.
 
         The certificate of the sum of two shapes is that of the no-fit polygon of a and -b, which
-        has the same boundary. Raises PolygonError if the path is a single point. Cost: that of
+        has the same boundary. Raises PolygonError if the path is a single point. Cost: as for
         `evidence.proof.add_proof`.
 
         Example:
@@ -86,7 +86,7 @@ def minkowski_sum(a: Region | Vertices | Polyline, b: Region | Vertices | Polyli
         PolygonError: a polygon is not simple, or both are paths.
         NumberError: a coordinate is not an exact number. Messages begin with "a" or "b".
 
-    Cost: that of `no_fit_polygon`; for a shape and a path, O(m n log(m n) + c) for c crossings of
+    Cost: as for `no_fit_polygon`; for a shape and a path, O(m n log(m n) + c) for c crossings of
     contact segments.
 
     Source: section 3 for two convex polygons; Behar and Lien 2011 for the others.

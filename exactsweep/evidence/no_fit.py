@@ -66,7 +66,7 @@ class NoFitAnswer(Certified):
         """Locate a position of the orbiting polygon's reference point, a pair of numbers.
 
         Returns "overlap" if the interiors overlap; "contact" if the polygons only touch, on a loop
-        or in an exact fit; "free" if they are apart. Cost: that of the loops and exact fits.
+        or in an exact fit; "free" if they are apart. Cost: computing the loops and fits.
 
         Example:
             >>> from exactsweep import no_fit_polygon
@@ -192,7 +192,7 @@ class InnerFitAnswer(RegionAnswer):
         """Locate a position of the part's reference point, a pair of numbers.
 
         Returns "inside" in a region; "boundary" on its boundary or in an exact fit, where the part
-        touches an obstacle; "outside" where the part overlaps one. Cost: that of the positions.
+        touches an obstacle; "outside" where the part overlaps one. Cost: computing `solution`.
 
         Example:
             >>> from exactsweep import inner_fit_polygon

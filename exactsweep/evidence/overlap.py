@@ -134,7 +134,7 @@ def overlap(a: Region | Vertices, b: Region | Vertices) -> Overlap:
     """Relate two shapes in place: whether and how far they overlap, and how far apart they are.
 
     Args:
-        a: a Polygon, a Region, the vertices of a polygon, or a shapely polygon, even with holes.
+        a: a Polygon, a Region, the vertices of a polygon, or a shapely polygon; holes are allowed.
         b: the other shape, in any of these forms.
 
     Returns:

@@ -28,14 +28,14 @@ _PointList = Iterable[Iterable[object]]
 def add_proof(claim: dict[str, Any]) -> dict[str, Any]:
     """Return the certificate of a claim; if it is a certificate, its proof is replaced.
 
-    Cost: that of `cut_to_convex` for both shapes. Then O(1) clipped segments for each side of a
+    Cost: `cut_to_convex` for both shapes. Then O(1) clipped segments for each side of a
     listed sum, and O(1) for each known edge and each sum whose box touches it.
     """
     return to_plain({**claim, "proof": _PROVERS[claim["claim"]](claim)})
 
 
 class _ShapeLattice:
-    """The lattice of shapes, with `scale` units in 1, and their rings, interior on the left."""
+    """The lattice of shapes, with spacing 1 / `scale`, and their rings, interior on the left."""
 
     def __init__(self, *shapes: dict[str, Any]) -> None:
         listed = [

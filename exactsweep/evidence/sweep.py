@@ -176,7 +176,7 @@ class SweepAnswer(Certified):
         """Find the contacts along the edges of loops of free positions, in the form of `contacts`.
 
         A loop of two positions runs from one to the other and back; it has no contacts if they are
-        equal. Cost: that of one call of `contacts`.
+        equal. Cost: as for `contacts`.
         """
         enter, reference = self.solution.frame.enter_point, self.reference
         edges = [

@@ -35,7 +35,7 @@ def canonicalize_ring(points: Sequence[Vertex]) -> CanonicalRing:
 
     Either orientation, equal neighbours and collinear vertices are allowed. Raises PolygonError for
     fewer than three distinct points, zero area, a spike, or a line that touches or crosses itself.
-    Cost: O(n) for a convex ring, else that of `find_conflict`.
+    Cost: O(n) for a convex ring, otherwise as for `find_conflict`.
 
     >>> ring = canonicalize_ring([(2, 2), (2, 0), (1, 0), (0, 0), (2, 2)])
     >>> ring.points, ring.vertex_index, ring.edge_index
@@ -64,7 +64,7 @@ def canonicalize_ring(points: Sequence[Vertex]) -> CanonicalRing:
         starts = [*corners[1:], corners[0]]
     convex = len({turns[i] > 0 for i in corners}) == 1
     monotone = are_chains_monotone([ring[i] for i in corners])
-    # With left turns only, the winding number is the number of runs to the right.
+    # A ring with only left turns is simple if x increases along just one run of its edges.
     if not (convex and monotone):
         _refuse_conflicts(ring, vertices, edges)
     numbers = tuple(vertices[i] for i in corners)
@@ -139,7 +139,7 @@ def _refuse_conflicts(
 def find_doubled_area(ring: Sequence[Vertex]) -> int | Fraction:
     """Return twice the signed area, positive for a counter-clockwise ring.
 
-    Cost: O(n) for ints, that of `add_up` for Fractions.
+    Cost: O(n) for ints; for Fractions, as for `add_up`.
     """
     after = (*ring[1:], ring[0])
     if all(type(part) is int for point in ring for part in point):

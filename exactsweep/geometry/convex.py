@@ -25,7 +25,7 @@ ConvexRing = list[IntVertex]
 """A convex ring, counter-clockwise, without straight angles."""
 
 _Corner = tuple[IntVertex, IntVertex]
-# The number of vertices that are tried along the boundary in each direction.
+# Number of vertices tried along the boundary in each direction.
 _FOLLOWED = 16
 
 _IntEdge = tuple[IntVertex, IntVertex]
@@ -51,7 +51,7 @@ class _Plan:
             edges = list(chain.from_iterable(map(pairwise, split)))
         self.edges: list[_IntEdge] = edges
         self._rows = BoxRows([_find_box(*edge) for edge in edges])
-        # Long diagonals would be in many rows, so they have one row; it begins with an edge.
+        # A long diagonal would span many rows, so all diagonals share one; it starts with an edge.
         self._diagonals = BoxRows([(min(xs), max(xs), min(ys), max(ys))])
 
     def _find_on(self, a: IntVertex, b: IntVertex) -> Iterator[IntVertex]:
@@ -133,7 +133,7 @@ def _find_diagonal(
         for q in _list_ends(p, wide, cones, vertices):
             if not plan.is_blocked(p, q):
                 return q
-    raise AssertionError  # By (2) there is one.
+    raise AssertionError  # By (2) a diagonal exists.
 
 
 def _list_candidates(

@@ -1,7 +1,7 @@
 """Directions in which polygons are monotone.
 
 A polygon is monotone in direction u if its intersection with every line perpendicular to u is
-connected: one chain of its edges runs forward along u, the other one backward. It is strictly
+connected: one chain of its edges runs forward along u, the other backward. It is strictly
 monotone if no edge is perpendicular to u. Monotonicity changes only at directions perpendicular to
 an edge, so one rotation of u finds all directions.
 """
@@ -69,9 +69,9 @@ class Directions:
         return Directions(tuple(critical), at, after)
 
     def _follow(self, critical: Iterable[Vector]) -> Iterator[tuple[bool, bool]]:
-        """Yield `at` and `after` of directions sorted by angle, which include all critical ones."""
+        """Yield `at` and `after` for sorted directions that include all critical ones."""
         known = dict(zip(self.critical, zip(self.at, self.after, strict=True), strict=True))
-        # The state before the first critical direction is that after the last one.
+        # The state before the first critical direction equals the state after the last one.
         state = self.after[-1]
         for u in critical:
             at, state = known.get(u, (state, state))

@@ -5,7 +5,7 @@
 (2) Disjoint shapes are nearest on their boundaries, and disjoint segments at an end of one of them.
     So the squared distance is rational: a squared cross product divided by a squared length.
 (3) The edges of each boundary are the leaves of a binary tree of boxes. The search opens pairs of
-    boxes by increasing distance, and ends at the first pair that is no nearer than the nearest
+    boxes in order of distance, and ends at the first pair that is no nearer than the nearest
     edges so far.
 """
 
@@ -148,7 +148,7 @@ def _find_common_point(edge: Edge, other: Edge) -> Point | None:
         if of_a != of_b:
             along = Fraction(of_a, of_a - of_b)
             return Point(ax + along * (bx - ax), ay + along * (by - ay))
-        # The segments run along each other.
+        # The segments are collinear and overlap.
         shared = [max(min(a, b), min(p, q))]
     x, y = shared[0]
     return Point(Fraction(x), Fraction(y))

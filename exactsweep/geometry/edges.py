@@ -58,7 +58,7 @@ class EdgeIndex:
         return [self.edges[k] for k in sorted(self._rows.find(box))]
 
     def contains(self, x: Rational, y: Rational, scale: int) -> bool:
-        """Decide by ray casting whether (x / scale, y / scale), a point on no edge, is inside."""
+        """Decide by ray casting whether (x / scale, y / scale), not on an edge, is inside."""
         left, right, low, high = self.box
         if not (left * scale < x < right * scale and low * scale < y < high * scale):
             return False
@@ -89,7 +89,7 @@ def _is_around(
     edges: Iterable[tuple[Rational, Rational, Rational, Rational]],
     scale: int = 1,
 ) -> bool:
-    """Decide whether (x / scale, y / scale), on no edge, has an odd number of edges on its left."""
+    """Decide whether a point off all edges has an odd number of edges on its left."""
     odd = False
     for ax, ay, bx, by in edges:
         up = ay < by

@@ -1,9 +1,9 @@
 """The intersection of two shapes: its boundary, its area, and a point inside.
 
-(1) Cut the edges of both shapes where they meet. Each piece as a whole is inside the other shape,
-    outside it, or runs along one of its edges.
-(2) The boundary of the intersection consists of the pieces of each shape inside the other, and,
-    once each, the pieces along edges of the same direction.
+(1) Cut the edges of both shapes where they meet. Each piece lies entirely inside the other
+    shape, entirely outside it, or along one of its edges.
+(2) The boundary of the intersection consists of the pieces of each shape inside the other, and
+    one copy of each piece shared by edges of the same direction.
 """
 
 from __future__ import annotations

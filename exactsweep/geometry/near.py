@@ -80,7 +80,7 @@ class BoxRows:
             border = self._south + number * self._height
 
     def find_pairs(self) -> Iterator[tuple[int, int]]:
-        """Yield each pair of boxes that meet once, the lesser index first.
+        """Yield each pair of intersecting boxes once, the smaller index first.
 
         Cost: O(1) for each pair of boxes in a row whose x-ranges meet.
         """
@@ -99,9 +99,9 @@ class BoxRows:
 
 
 def find_near(boxes: Sequence[Bounds], reach: int = 0) -> Iterator[tuple[int, int]]:
-    """Yield each pair of boxes within reach in both coordinates once, the lesser index first.
+    """Yield once each pair of boxes within reach in both coordinates, the smaller index first.
 
-    Cost: O(n log n + k) for n boxes and k pairs, if the boxes are not much longer than their
-    distances.
+    Cost: O(n log n + k) for n boxes and k pairs, if the boxes are not much longer than the
+    gaps between them.
     """
     return BoxRows(boxes, reach).find_pairs()

@@ -1,4 +1,4 @@
-"""The features of a shape: its vertices and edges, numbered through all rings."""
+"""The features of a shape: its vertices and edges, numbered across all rings."""
 
 from __future__ import annotations
 
@@ -55,7 +55,7 @@ class Outline:
         return list(map(make_segment, self.edges))
 
     def find_at(self, point: Vertex, scale: int = 1) -> Iterator[tuple[Literal["V", "E"], int]]:
-        """Find the vertices at point / scale, and the edges that contain it between their ends."""
+        """Find the vertices at point / scale, and the edges that contain it in their interior."""
         x, y = point
         box = x // scale, -(-x // scale), y // scale, -(-y // scale)
         for _, _, _, _, ax, ay, bx, by, ring, k in self._index.near(box):

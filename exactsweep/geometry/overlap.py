@@ -1,6 +1,6 @@
-"""The relation of two shapes, one of them moved: overlap, contact, or apart.
+"""The relation of two shapes, one of them translated: overlap, contact, or apart.
 
-Let D and G be shapes with connected interiors, the second one moved. At a vertex or inside an edge,
+Let D and G be shapes with connected interiors, G translated. At a vertex or inside an edge,
 the boundary of a shape has a *cone* on its left, counter-clockwise from the outgoing ray to the
 incoming ray. Where several rings touch, the shape is the intersection of their cones.
 
@@ -11,7 +11,7 @@ incoming ray. Where several rings touch, the shape is the intersection of their 
 (2) If the boundaries are disjoint, interiors meet if and only if a ring of one shape lies inside
     the other shape. One vertex of the ring decides.
 
-A path is a ring that runs forth and back, or two such rings. Its cones are empty, because each ray
+A path is a ring that runs back and forth, or two such rings. Its cones are empty, because each ray
 is both outgoing and incoming; its interior is the path itself.
 """
 
@@ -43,8 +43,8 @@ def relate(
 ) -> Relation:
     """Find the relation of two shapes, or a shape and a path, the second at (x / scale, y / scale).
 
-    Only edges that meet the intersection of the two boxes are examined. Cost: that of
-    `EdgeIndex.near` for each of them.
+    Only edges that meet the intersection of the two boxes are examined. Cost: one
+    `EdgeIndex.near` per such edge.
 
     >>> square = EdgeIndex([[(0, 0), (2, 0), (2, 2), (0, 2)]])
     >>> [relate(square, square, k, k).value for k in (1, 2, 3)]

@@ -196,7 +196,7 @@ class Polygon(PointSet):
         return self._monotone
 
     def _image(self, under: AffineMap) -> "Polygon":
-        """Return the image under an affine map, with the same numbers of vertices and edges."""
+        """Return the image under an affine map, with the same vertex and edge numbering."""
         old, points = self.lattice()
         denominator = lcm(*(c.denominator for c in under[:4]))
         scale = lcm(denominator * old, under.dx.denominator, under.dy.denominator)
@@ -213,7 +213,7 @@ class Polygon(PointSet):
         numbers = [row[first:] + row[:first] for row in (vertex_index, edge_index)]
         if all(type(part) is int for point in image for part in point):
             return Polygon._trust(image, scale, *numbers)
-        # The denominators are unrelated, so the vertices serve as the lattice.
+        # The lattice would be too fine, so keep rational vertices.
         found = [Point(Fraction(x) / scale, Fraction(y) / scale) for x, y in image]
         return Polygon._trust(found, None, *numbers)
 
@@ -239,8 +239,8 @@ class Polygon(PointSet):
     def from_sympy(cls, polygon: "sympy.Polygon") -> "Polygon":
         """Read a rational `sympy.geometry.Polygon`, a triangle or a regular polygon.
 
-        Raises PolygonError for other objects, and as `Polygon` does, NumberError for irrational
-        or symbolic coordinates.
+        Raises PolygonError for other objects and for polygons that `Polygon` rejects, NumberError
+        for irrational or symbolic coordinates.
         """
         import sympy
 
@@ -261,7 +261,7 @@ class Polygon(PointSet):
         return self.vertices.count(cast(Point, vertex))
 
     def __eq__(self, other: object) -> bool:
-        # A Region compares itself.
+        # Region.__eq__ handles regions.
         if not isinstance(other, Polygon):
             return NotImplemented
         return self.vertices == other.vertices

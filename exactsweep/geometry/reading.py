@@ -44,7 +44,7 @@ def read_point(pair: Iterable[object], name: str) -> Point:
 
 
 def refuse_number(k: object, what: str, count: int) -> PolygonError:
-    """Make the error for an index k that is out of range."""
+    """Make the error for an out-of-range index k."""
     return PolygonError(f"there is no {what} {quote(k)}: they are numbered 0 to {count - 1}")
 
 
@@ -52,7 +52,7 @@ def read_interface(shape: object) -> list[Pairs] | None:
     """Read the exterior and the holes of an object with a `__geo_interface__`, or a GeoJSON dict.
 
     Z coordinates are dropped, with a warning. Returns None for other objects; raises PolygonError
-    unless the object is one polygon, not empty.
+    unless the object is a single nonempty polygon.
 
     >>> import shapely
     >>> read_interface(shapely.box(0, 0, 2, 1))
@@ -82,12 +82,12 @@ def _is_geojson(shape: object) -> bool:
 
 
 def has_heights(ring: Sequence[object]) -> bool:
-    """Decide whether some point of a ring has a Z coordinate."""
+    """Decide whether any point of a ring has a Z coordinate."""
     return any(isinstance(point, Sequence) and len(point) == 3 for point in ring)
 
 
 def drop_heights(ring: list[Any]) -> list[Any]:
-    """Drop the Z coordinates of a ring, with a warning at the caller of the package."""
+    """Drop the Z coordinates of a ring, with a warning attributed to the package's caller."""
     level, frame = 1, sys._getframe()
     while frame.f_back and frame.f_globals.get("__name__", "").startswith(_PACKAGE):
         level, frame = level + 1, frame.f_back
@@ -98,8 +98,8 @@ def drop_heights(ring: list[Any]) -> list[Any]:
 def read_vertices(vertices: Iterable[Iterable[object]]) -> Lattice:
     """Read the vertices of a polygon, and put them on a lattice as `to_lattice` does.
 
-    Raises PolygonError for other values than pairs, or for a polygon with holes, and NumberError
-    for a coordinate that is not an exact number.
+    Raises PolygonError for a vertex that is not a pair, or for a polygon with holes, and
+    NumberError for a coordinate that is not an exact number.
 
     >>> read_vertices([(0, 1), ("1/2", 0), [2, 0.5]])
     (2, [(0, 2), (1, 0), (4, 1)])

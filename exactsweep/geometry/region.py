@@ -62,7 +62,7 @@ class Region(PointSet):
         inner: list[Polygon] = []
         is_checked = isinstance(exterior, Region)
         if isinstance(exterior, Region):
-            # The order of the input preserves the numbers of features.
+            # Restore the input order of the holes, to keep the feature numbering.
             order = sorted(range(len(exterior.holes)), key=exterior._firsts[1:].__getitem__)
             inner += [exterior.holes[k] for k in order]
             exterior = exterior.exterior
@@ -128,9 +128,9 @@ class Region(PointSet):
         return _restore([ring._image(under) for ring in (self.exterior, *self.holes)], self._firsts)
 
     def vertex_index(self, k: int) -> int:
-        """Return the input index of vertex k, counted through all `rings`.
+        """Return the input index of vertex k, counted across all `rings`.
 
-        In the input, too, the exterior comes first; the holes follow in the given order. Negative k
+        The input also starts with the exterior; the holes follow in the given order. Negative k
         count from the end. Raises PolygonError if there is no vertex k.
         """
         first, ring, k = self._ring_of(k, "vertex")
@@ -184,7 +184,7 @@ class Region(PointSet):
 
 
 def _restore(rings: Sequence[Polygon], firsts: Sequence[int]) -> Region:
-    """Restore a copy with the numbers of the input, without validation."""
+    """Restore a copy with its input numbering, without validation."""
     region = Region.__new__(Region)
     region._set(rings, firsts)
     return region
@@ -246,8 +246,8 @@ def share_lattice(regions: Sequence[Region]) -> tuple[int, list[list[list[Vertex
     """Put regions on the coarsest integer lattice that contains them all.
 
     Returns the scale, and the rings of each region times the scale, with the interior on the left.
-    If the scale would exceed 1024 bits, all numbers would be longer than any vertex; then it is 1,
-    and vertices off that lattice are Fractions.
+    If the scale would exceed 1024 bits, scaled numbers would be longer than the originals; then
+    it is 1, and vertices off that lattice are Fractions.
     """
     lattices = [region.lattice() for region in regions]
     scale = lcm_within((own for own, _ in lattices), _LONG)

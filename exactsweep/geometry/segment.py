@@ -43,7 +43,7 @@ def find_direction(edge: Edge) -> Vector:
 
 
 def lay_point(point: Vertex, direction: Vector) -> Segment:
-    """Return a point as a degenerate segment of its line in a direction."""
+    """Return a point as a degenerate segment on the line through it in a direction."""
     (a, b), (x, y), along = direction, point, measure_along(direction, point)
     return Segment(direction, ratio(a * y - b * x, 1), along, along)
 
@@ -56,7 +56,7 @@ def make_segment(edge: Edge) -> Segment:
 
 
 def measure_along(direction: Vector, point: Vertex) -> Rational:
-    """Return the coordinate along a line of that direction: x, or y if the line is vertical."""
+    """Return the coordinate along a line in this direction: x, or y if the line is vertical."""
     return point[0] if direction[0] else point[1]
 
 

@@ -35,7 +35,7 @@ def find_conflict(ring: Sequence[Vertex]) -> Conflict | None:
 
 
 def _sweep(ring: Sequence[Vertex], order: Sequence[int]) -> Conflict | None:
-    """Sweep distinct vertices in lexicographic order, as by a slightly tilted vertical line.
+    """Sweep distinct vertices in lexicographic order, like a slightly tilted vertical line.
 
     The status lists the edges that cross the line, from bottom to top. Invariant: no two edges that
     were ever neighbours in it meet. So a conflict at the next vertex is found there or earlier.

@@ -48,7 +48,7 @@ class Clearance(NamedTuple):
         """Return whether the clearance is less than another one.
 
         For signed roots d and e, and the difference r of the radii, d - r < e is decided by signs
-        or by squares: (d - r)^2 = d^2 + r^2 - 2 r d has only one root.
+        or by squares: (d - r)^2 = d^2 + r^2 - 2 r d contains only one square root.
 
         >>> one, two = (Clearance(*map(Fraction, pair), None, (0, 0)) for pair in ((2, 0), (8, 1)))
         >>> one.is_less(two), two.is_less(one), one.is_less(one)

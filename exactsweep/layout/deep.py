@@ -22,7 +22,7 @@ from exactsweep.geometry.near import BoxRows
 from exactsweep.layout.solid import LatticeForm, Solid
 from exactsweep.numbers.number import Edge, Point, Rational, Vertex
 
-# The maximum number of tested chords, the longest first, and of moves to the middle of each.
+# Maximum number of chords to test, longest first, and of centering moves per chord.
 _MOST_CHORDS, _MOST_MOVES = 32, 2
 
 _ChordEnds = tuple[Rational, Rational]
@@ -32,9 +32,9 @@ _HorizontalChord = tuple[Rational, Rational, Rational]
 def find_deep_point(a: Solid, b: Solid) -> Point | None:
     """Find a point inside both true solids of one lattice by (1); None if none is found.
 
-    The solids are polygonal. If they overlap and are exact, there is a point.
+    The solids are polygonal. If they overlap and are exact, such a point exists.
 
-    Cost: that of `find_common_boundary`, and O(k) for each of at most 32 chords of an intersection
+    Cost: as for `find_common_boundary`, and O(k) for each of at most 32 chords of an intersection
     with k edges.
     """
     boundary = find_common_boundary(_list_rings(a), _list_rings(b))

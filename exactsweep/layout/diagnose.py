@@ -20,8 +20,8 @@ from exactsweep.layout.rounded import RoundedPiece
 from exactsweep.numbers.digits import format_fraction
 from exactsweep.numbers.number import ORIGIN, Point
 
-# Minimum number and share (1/8) of faulty placements, and their maximum number, which bounds the
-# time; maximum share (1/10) of remaining faults; maximum number of conventions to report.
+# Minimum number and share (1/8) of faulty placements; maximum number of faulty placements, to bound
+# the time; maximum share (1/10) of remaining faults; maximum number of conventions to report.
 _FEW, _SHARE, _MANY, _LEFT, _NAMED = 2, 8, 1000, 10, 3
 # Degrees per radian, with an error below 10**-45.
 _DEGREES = Fraction("57.2957795130823208767981548141051703324054724665643")

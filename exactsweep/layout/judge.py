@@ -72,7 +72,7 @@ class Judgement:
 
     @property
     def density(self) -> Fraction | None:
-        """The area of the placed simple parts divided by that of the container, or else the `box`.
+        """The ratio of the area of placed simple parts to that of the container, or else the `box`.
 
         None if nothing is placed, or rounded pieces of a part overlap. The error is at most
         `density_error`.

@@ -22,7 +22,7 @@ _PartEdge = tuple[Point, Point]
 
 
 def find_misfit(part: LayoutPart) -> Point | None:
-    """Find a point with a winding number other than 0 and 1; None if rings only touch.
+    """Find a point with a winding number other than 0 or 1; None if rings only touch.
 
     >>> bow = [Point(Fraction(x), Fraction(y)) for x, y in ((0, 0), (2, 2), (2, 0), (0, 1))]
     >>> find_misfit(LayoutPart("bow", tuple(bow))) is None

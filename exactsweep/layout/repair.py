@@ -161,8 +161,8 @@ def _find_rounded_move(
     """Find a move of rounded solids; each step separates the two pieces that overlap most.
 
     If the first step frees the solids, it is their shortest move, with relative error at most 2^-60
-    if irrational. None if the steps do not end, or for a container other than a rounded one with
-    discs.
+    if irrational. Return None if the steps do not end, or for a container that has defects, is not
+    rounded, or has a radius less than that of a piece plus `room`.
     """
     k, move = placements[-1], ORIGIN
     if len(placements) > 1:

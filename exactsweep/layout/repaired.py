@@ -135,7 +135,7 @@ def _move(layout: Layout, moves: dict[int, Point]) -> Layout:
 
 
 def _list_conditions(judgement: Judgement) -> tuple[list[_Condition], list[_Condition]]:
-    """List the conditions of faults, and if none is deep those of other near pieces."""
+    """List the conditions of faults and, if none is deep, those of other near pieces."""
     board, faults = judgement._board, judgement.faults
     found = [one for f in faults for one in _part_pieces(board, f.placements, Fraction(0))]
     longest = max((one.length for one in found), default=board.grain)
@@ -187,7 +187,7 @@ def _aim(at: tuple[int, ...], x: Fraction, y: Fraction, length: Fraction) -> _Co
 
 
 def _add_moves(one: _Condition, moves: dict[int, Point], more: Fraction) -> _Condition:
-    """Restate a condition on further moves for total moves, with more room."""
+    """Convert a condition on further moves to one on total moves, with extra room."""
     x, y = moves.get(one.placements[-1], ORIGIN)
     if len(one.placements) > 1:
         before = moves.get(one.placements[0], ORIGIN)

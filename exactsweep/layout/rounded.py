@@ -204,7 +204,7 @@ def _list_normals(sides: int) -> list[Point]:
 
 
 def bound_area(shape: BodyShape | None) -> tuple[Fraction, Fraction] | None:
-    """Bound the area of a shape from below and above; None if its pieces overlap, or for None.
+    """Bound the area of a shape from below and above; None without a shape, or if pieces overlap.
 
     Cost: O(n^2) for n rounded pieces.
     """

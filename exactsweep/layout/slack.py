@@ -45,7 +45,7 @@ class ProvedSlack(NamedTuple):
 def find_slack(judgement: Judgement) -> ProvedSlack | None:
     """Find how far the container of a valid layout can shrink, and its parts can grow.
 
-    None if the layout is not valid, or without a convex container, or with defects.
+    None if the layout is not valid, has defects, or has no convex container.
 
     Cost: linear, plus a judgement.
 

@@ -6,10 +6,10 @@ initially infinity. The parts of both chains are tried in order of their lowest 
     (1)  A pair is dropped if its lowest point is not below the ceiling over its x-range.
     (2)  A subtrajectory lowers the ceiling over each strip that it crosses: it is convex, so its
          heights at both borders bound it.
-    (3)  A subtrajectory is dropped, too, if it is nowhere below the ceiling.
+    (3)  A subtrajectory that is nowhere below the ceiling is also dropped.
 
 Heights are ints, rounded conservatively, so a dropped sum is nowhere below the envelope. Without
-this step, trajectories of two zigzags take 2 times (64 vertices) or 5 times (256 vertices) as long.
+this step, trajectories of two zigzags take twice (64 vertices) or five times (256) as long.
 """
 
 from __future__ import annotations
@@ -25,7 +25,7 @@ from exactsweep.procedures.chain import ConvexPart
 from exactsweep.procedures.graph import Graph, Ranges
 
 STRIPS = 8
-"""Strips for each part of the shorter list, so that a sum crosses O(1) of them on average.
+"""Number of strips per part of the shorter list; a sum crosses O(1) of them on average.
 
 With 4 and 16, all loops of zigzags of 256 vertices took 1.6 and 0.9 times as long; those of
 staircases of 256 vertices, which have less to prune, took 1.0 and 1.15 times as long.
@@ -75,7 +75,7 @@ def bound_all(
 
 
 class Ceiling:
-    """An upper bound of the envelope over each strip; -infinity where no range needs it."""
+    """An upper bound of the envelope over each strip; -infinity outside the ranges."""
 
     def __init__(self, left: int, right: int, count: int, ranges: Ranges | None) -> None:
         self.left = left

@@ -196,8 +196,8 @@ class ConvexPart(NamedTuple):
 
     If an edge of G slid over a reflex vertex of D_b, G would overlap D. So along a part of D_b, the
     relevant edges of G are those with slopes between the slopes of the part, and vice versa. At an
-    end of the chain, and at a vertical edge up to the neighbour, G may leave the part: there all
-    slopes beyond those of the part are relevant, too.
+    end of the chain, and at a vertical edge up to the neighbour, G may leave the part, so all
+    slopes beyond those of the part are relevant as well.
 
     Attributes:
         vertices: the vertices of the whole chain.

@@ -1,4 +1,4 @@
-"""The pruning step for wide shapes, in which squares of a grid prove parts of segments to be in O.
+"""The pruning step for wide shapes, in which grid squares prove that parts of segments are in O.
 
 (1) Let A be a block of two by two squares inside D, off its boundary, and let H have a point b in
     a square B. Then A + b is in O = int D + int H, because b is a limit of inner points of H. For
@@ -21,9 +21,9 @@ from exactsweep.geometry.edges import Rings
 from exactsweep.procedures.segments import ContactSegment
 
 _FEW, _CROSSINGS = 250, Fraction(4, 5)
-"""Minimum numbers of segments, and of expected crossings per segment, for pruning to save time."""
+"""Minimum numbers of segments, and of expected crossings per segment, at which pruning pays off."""
 _MOST_COLUMNS = 400
-"""The sum of two sets of squares takes time proportional to its fourth power."""
+"""Maximum number of columns; adding two sets takes time proportional to its fourth power."""
 
 
 def leave_out_covered(
@@ -31,7 +31,7 @@ def leave_out_covered(
 ) -> Sequence[ContactSegment]:
     """Cut contact segments at columns of squares, and drop the pieces that squares cover.
 
-    Cost: that of `add_squares`, plus O(1) for each column that a segment meets.
+    Cost: as for `add_squares`, plus O(1) for each column that a segment meets.
     """
     if len(segments) < _FEW:
         return segments

@@ -1,8 +1,8 @@
 """The crossings of contact segments, and the remaining pieces between them.
 
-(1) A piece of a segment between two neighbouring crossings is free or in O as a whole. If another
-    segment crosses an end of the piece, and overlap passes through that end on the side on which
-    the piece lies, the piece is in O, by (2) of `segments`.
+(1) A piece of a segment between two consecutive crossings is either all free or all in O. If
+    another segment crosses an end of the piece, and overlap passes through that end on the side
+    where the piece lies, the piece is in O, by (2) of `segments`.
 (2) Each remaining piece bounds a free region on its right; or it is an exact fit, if it has overlap
     on both sides; or it is in O after all.
 (3) A single free position has overlap in all directions. So every direction lies left of some
@@ -40,7 +40,7 @@ class Pieces(NamedTuple):
 def cut(segments: Sequence[ContactSegment]) -> Pieces:
     """Cut segments at their crossings, and drop pieces in O, by (1).
 
-    Cost: that of `find_near`, plus O(c log c) for c crossings.
+    Cost: as for `find_near`, plus O(c log c) for c crossings.
     """
     pieces = Pieces([], [], set())
     bits = measure_keys(segments)
@@ -112,7 +112,7 @@ def _find_left_over(
     line, is_two_sided = segment.line, segment.sides == BOTH
     start, (covered, end_covered), (at, end) = segment.low, segment.covered, segment.keys
     left: list[tuple[Parameter, Parameter]] = []
-    # A piece waits, because more crossings at its end may prove that it is in O.
+    # Hold each piece back: more crossings at its end may prove that it is in O.
     waiting: tuple[Parameter, Parameter] | None = None
     last: int | None = None
     for key, n, d, before, after, other_sides in sorted(segment.cuts):

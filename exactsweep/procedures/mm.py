@@ -1,6 +1,6 @@
 """The MM sweep: monotone generatrix, monotone directrix (Section 5).
 
-G_t is split into convex parts, too. Each part yields a CM sweep, and the trajectory is the lower
+G_t is also split into convex parts. Each part yields a CM sweep, and the trajectory is the lower
 envelope of the results (Lemma 5.1). Both loops are trajectories of the inverse generatrix along
 the two sides of the first trajectory (Lemma 5.3).
 

@@ -1,4 +1,4 @@
-"""The pruning step for thin shapes, in which adjacent edges prove ends of segments to be in O.
+"""The pruning step for thin shapes, in which adjacent edges prove that ends of segments are in O.
 
 Let a be an edge of D, v a vertex of H, and c and c' the two edges after v. For any edge p of D and
 any edge q of H, O contains the interior of the parallelogram p + q: there p crosses an edge of G.
@@ -28,7 +28,7 @@ _Vectors = tuple[int, int, int, int]
 def leave_out_overlapped(
     edges: Sequence[EdgeFeature], ring: Sequence[Vertex], k: int
 ) -> Sequence[EdgeFeature]:
-    """Return the edges that vertex k of a ring faces, without the parts in O by (1), (2)."""
+    """Return the edges that vertex k of a ring faces, without the parts in O by (1) and (2)."""
     points = [ring[(k + i) % len(ring)] for i in (-2, -1, 0, 1, 2)]
     unit = lcm(*(c.denominator for point in points for c in point))
     o, p, v, q, r = ((int(x * unit), int(y * unit)) for x, y in points)

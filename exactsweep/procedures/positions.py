@@ -110,7 +110,7 @@ def find_inner_fit(
     """Find the positions of a part inside a container, free of placed shapes.
 
     Attached shapes move with the part. Defects are clockwise holes of the container. Scale and cost
-    are those of `find_no_fit`, with only the contact segments near the room of the part.
+    are those of `find_no_fit`, restricted to contact segments near possible positions.
 
     >>> square, unit = [[(0, 0), (3, 0), (3, 1), (0, 1)]], [[(0, 0), (1, 0), (1, 1), (0, 1)]]
     >>> [tuple(int(c) for p in fit for c in p) for fit in find_inner_fit(square, unit).fits]
@@ -119,7 +119,7 @@ def find_inner_fit(
     (west, east, south, north) = EdgeIndex(container).box
     moving = [reflect(rings) for rings in (part, *attached)]
     left, right, low, high = EdgeIndex([*part, *chain.from_iterable(attached)]).box
-    # The container's box encloses the part's box only at positions in this room.
+    # The container's box encloses the part's box only at positions in this rectangle.
     room = west - left, east - right, south - low, north - high
     if room[0] > room[1] or room[2] > room[3]:
         return FreeRegions([], [])
@@ -153,7 +153,7 @@ def _nest(exteriors: list[list[Point]], holes: list[list[Point]], fits: list[Fit
 
 
 def path_rings(points: Sequence[Vertex], *, closed: bool = False) -> list[list[Vertex]]:
-    """Return the rings of a path of two points or more, which run forth and back."""
+    """Return the rings of a path of two points or more, which run back and forth."""
     return [[*points], [*points[::-1]]] if closed else [[*points, *points[-2:0:-1]]]
 
 

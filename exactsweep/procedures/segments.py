@@ -12,7 +12,7 @@ the edge lies between the directions of the two edges at the vertex, or equals o
 (2) The positions just to the left of each inner point of a contact segment have overlap: there the
     vertex has crossed the edge.
 
-A path may replace H or D, as one ring that runs forth and back, or as two rings if it is closed.
+A path may replace H or D, as one ring that runs back and forth, or as two rings if it is closed.
 Its reversals at the ends count as convex vertices. Its interior is the path itself.
 
 Source: the reduced convolution of Behar and Lien, "Fast and robust 2D Minkowski sum using reduced
@@ -199,7 +199,7 @@ def _find_convex_vertices(angles: Sequence[int], full_turn: int) -> Iterator[tup
 
 
 def _join(line: Line, pieces: list[tuple[Rational, Rational, bool]]) -> Iterator[ContactSegment]:
-    """Yield the segments with constant sides that the contact segments of one line form."""
+    """Join the contact segments of one line; yield maximal segments with constant sides."""
     if len(pieces) == 1:
         ((low, high, ahead),) = pieces
         ends = low.as_integer_ratio(), high.as_integer_ratio()

@@ -1,8 +1,8 @@
 """Loops and exact fits, traced along the pieces of contact segments between crossings.
 
 (1) If a piece bounds a free region, the next piece of the boundary is the first one
-    counter-clockwise from the reverse direction, and no crossing proves it to be in O. So if a walk
-    does not close, all of its pieces are in O. If it closes, one test decides the whole loop.
+    counter-clockwise from the reverse direction, and no crossing proves that it is in O. So if a
+    walk does not close, all of its pieces are in O. If it closes, one test decides the whole loop.
 """
 
 from __future__ import annotations
@@ -110,7 +110,7 @@ def _follow(
     found = leaving.get(end, ())
     if len(found) < 2:
         return found[0] if found else None
-    # With the reverse of the piece as the X axis, clockwise.
+    # Sort by clockwise angle from the reverse of the piece, rotated to the X axis.
     return choose(found, key=lambda p: angle_key((-dx * p[2] - dy * p[3], dx * p[3] - dy * p[2])))
 
 
