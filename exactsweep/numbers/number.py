@@ -157,8 +157,8 @@ def ratio(value: int | Fraction, divisor: int | Fraction) -> int | Fraction:
         >>> ratio(6, 3), ratio(6, 4)
         (2, Fraction(3, 2))
     """
-    whole, rest = divmod(value, divisor)
-    return Fraction(value, divisor) if rest else whole
+    whole = value // divisor
+    return whole if whole * divisor == value else Fraction(value, divisor)
 
 
 def find_root(square: Fraction) -> Fraction | None:

@@ -46,9 +46,11 @@ def subtrajectories(
         # Bounding so few sums costs more than computing them.
         return cc.subtrajectories(generatrix_parts, directrix_parts)
     rows, columns = bound_all(generatrix_parts), bound_all(directrix_parts)
-    left = min(row[1] for row in rows) + min(column[1] for column in columns)
-    right = max(row[2] for row in rows) + max(column[2] for column in columns)
-    ceiling = Ceiling(left, right, count, ranges)
+    left, right = min(row[1] for row in rows), max(row[2] for row in rows)
+    start, end = min(column[1] for column in columns), max(column[2] for column in columns)
+    ceiling = Ceiling(left + start, right + end, count, ranges)
+    # Parts of D_b that no range needs would cost O(n) tests each.
+    columns = [c for c in columns if ceiling.is_above(-inf, left + c[1], right + c[2])]
     found: list[list[tuple[int, Graph]]] = [[] for _ in generatrix_parts]
     for (g_low, g_left, g_right, i, g), (d_low, d_left, d_right, j, d) in product(rows, columns):
         if (
