@@ -111,7 +111,7 @@ class Work:
     def measure(self, numbers: Iterable[int]) -> None:
         """Raise the cost of steps for the longest number, as measured."""
         bits = max(0, max(map(int.bit_length, numbers)) - 60)
-        self.price = max(self.price, 1 + bits / 35 + bits**2 / 65000)
+        self.price = max(self.price, 1 + bits / 40 + bits**2 / 10**6)
 
     def spend(self, steps: float) -> None:
         """Subtract steps."""

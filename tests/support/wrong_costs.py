@@ -101,7 +101,7 @@ def compare_in_parts(chain_of: Callable[[Any, Any], Any]) -> Waste:
         points = [*chain_of(generatrix, directrix)]
         for part in chain.partition(*[Chain.of(points)] * 2)[1]:
             own = points[part.first : part.first + len(part.edges) + 1]
-            compare_all(own, own)
+            compare_all(own * 4, own)
 
     return waste
 
