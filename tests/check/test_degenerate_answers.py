@@ -42,7 +42,8 @@ def shift(p: Any, q: Any, share: Fraction) -> list[str]:
 def straighten(certificate: Certificate, rng: Random) -> Certificate:
     """Add a vertex of a straight angle to a loop."""
     path, loop = draw_loop(certificate, LOOPS, rng)
-    return put(certificate, path, [*loop, shift(loop[-1], loop[0], Fraction(1, 3))])
+    changed: Certificate = put(certificate, path, [*loop, shift(loop[-1], loop[0], Fraction(1, 3))])
+    return changed
 
 
 def degrade(certificate: Certificate, rng: Random) -> Certificate:
@@ -50,7 +51,8 @@ def degrade(certificate: Certificate, rng: Random) -> Certificate:
     path, ring = draw_loop(certificate, SHAPES, rng)
     middle, tip = shift(ring[-1], ring[0], Fraction(1, 3)), shift(ring[0], ring[1], Fraction(-2))
     ring = [*ring, *rng.choice([[middle], [ring[-1]] * 2, [tip, ring[-1]], [middle, tip, middle]])]
-    return put(certificate, path, rng.choice([ring, ring[::-1]]))
+    changed: Certificate = put(certificate, path, rng.choice([ring, ring[::-1]]))
+    return changed
 
 
 def bend(certificate: Certificate, rng: Random) -> Certificate:
@@ -58,7 +60,10 @@ def bend(certificate: Certificate, rng: Random) -> Certificate:
     path, loop = draw_loop(certificate, LOOPS, rng)
     by = rng.choice([Fraction(1, 10**9), Fraction(1, 2), Fraction(-1, 10**9)])
     moved = [str(Fraction(n) + by) for n in loop[-1]]
-    return put(certificate, path, rng.choice([[*loop[:-1], moved], [*loop, moved, loop[-1]]]))
+    changed: Certificate = put(
+        certificate, path, rng.choice([[*loop[:-1], moved], [*loop, moved, loop[-1]]])
+    )
+    return changed
 
 
 def renew(claim: Certificate) -> Certificate:

@@ -50,8 +50,8 @@ def test_a_finer_region_is_near_the_coarse_one(
     for one in parse_candidates(f"<svg>{draw_path(drawn, rule)}</svg>"):
         finer = one.finer and one.finer(Fraction(1, 1000))
         if finer:
-            boxes = bound_points(one.vertices()), bound_points(finer.vertices())
-            moves = [abs(a - b) for a, b in zip(*boxes, strict=True)]
+            box, finer_box = bound_points(one.vertices()), bound_points(finer.vertices())
+            moves = [abs(Fraction(a - b)) for a, b in zip(box, finer_box, strict=True)]
             assert max(moves) <= one.error + finer.error
 
 
