@@ -20,7 +20,7 @@ from exactsweep.geometry.canonical import PolygonError, find_doubled_area
 from exactsweep.geometry.distance import measure_to_edge
 from exactsweep.geometry.near import find_near
 from exactsweep.geometry.reading import to_lattice
-from exactsweep.geometry.vectors import angle_key, compare_angles, minus, orientation
+from exactsweep.geometry.vectors import angle_key, compare_angles, intersect, minus, orientation
 from exactsweep.numbers.number import Edge, Point, Rational, Vertex
 
 MAX_PAIRS = 5_000_000
@@ -101,7 +101,8 @@ def _cut(numbers: Mapping[Edge, int]) -> dict[Edge, int]:
     left = MAX_PAIRS
     for i, k in find_near(boxes):
         left -= 1
-        for point in _meet(edges[i], edges[k]):
+        for x, y in intersect(edges[i], edges[k]):
+            point = _simplify(x), _simplify(y)
             for number in (i, k):
                 if point not in edges[number]:
                     cuts[number].add(point)
@@ -113,28 +114,6 @@ def _cut(numbers: Mapping[Edge, int]) -> dict[Edge, int]:
         for piece in pairwise((a, *sorted(cuts.get(k, ())), b)):
             found[piece] += numbers[a, b]
     return found
-
-
-def _meet(one: Edge, other: Edge) -> Iterator[Vertex]:
-    """Yield the intersection of two edges, or the ends of their common segment."""
-    (a, b), (p, q) = one, other
-    of_p, of_q, of_a, of_b = (
-        orientation(a, b, p),
-        orientation(a, b, q),
-        orientation(p, q, a),
-        orientation(p, q, b),
-    )
-    if of_p == of_q == 0:
-        for low, high, ends in ((a, b, other), (p, q, one)):
-            yield from (end for end in ends if min(low, high) <= end <= max(low, high))
-    elif of_p * of_q <= 0 >= of_a * of_b:
-        for side, end in zip((of_p, of_q, of_a, of_b), (p, q, a, b), strict=True):
-            if not side:
-                yield end
-                return
-        share = Fraction(of_p) / (of_p - of_q)
-        x, y = p[0] + share * (q[0] - p[0]), p[1] + share * (q[1] - p[1])
-        yield (_simplify(x), _simplify(y))
 
 
 def _simplify(value: Rational) -> Rational:

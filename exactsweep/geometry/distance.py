@@ -19,7 +19,7 @@ from typing import NamedTuple
 
 from exactsweep.geometry.edges import Rings, is_inside
 from exactsweep.geometry.region import Region, Vertices, share_lattice, to_region
-from exactsweep.geometry.vectors import orientation, touch
+from exactsweep.geometry.vectors import intersect
 from exactsweep.numbers.error import tells_arguments
 from exactsweep.numbers.number import Edge, Point, Rational, Vertex
 
@@ -95,7 +95,9 @@ def _find_nearest(first: _EdgeTree, second: _EdgeTree) -> SquaredDistance:
         apart, up, i, over, j = heappop(heap)
         if up == over == 0:
             edges = first.edges[i], second.edges[j]
-            if apart == 0 and (point := _find_common_point(*edges)) is not None:
+            if apart == 0 and (shared := intersect(*edges)):
+                x, y = shared[0]
+                point = Point(Fraction(x), Fraction(y))
                 return SquaredDistance(Fraction(0), (point, point))
             n, d = measure_ends(*edges)[:2]
             if best is None or n * best[1] < best[0] * d:
@@ -135,23 +137,6 @@ def _measure_boxes(a: _EdgeBox, b: _EdgeBox) -> Rational:
     dx = max(0, left - east, west - right)
     dy = max(0, low - north, south - high)
     return dx * dx + dy * dy
-
-
-def _find_common_point(edge: Edge, other: Edge) -> Point | None:
-    (a, b), (p, q) = edge, other
-    shared = touch(a, b, p, q)
-    if shared == []:
-        return None
-    if shared is None:
-        (ax, ay), (bx, by) = a, b
-        of_a, of_b = orientation(p, q, a), orientation(p, q, b)
-        if of_a != of_b:
-            along = Fraction(of_a, of_a - of_b)
-            return Point(ax + along * (bx - ax), ay + along * (by - ay))
-        # The segments are collinear and overlap.
-        shared = [max(min(a, b), min(p, q))]
-    x, y = shared[0]
-    return Point(Fraction(x), Fraction(y))
 
 
 _NearestEnd = tuple[Rational, Rational, Vertex, Edge, bool]

@@ -1,10 +1,11 @@
 """Vectors and segments: cross products, angles, the contact of two edges, and convex hulls."""
 
 from collections.abc import Iterable
+from fractions import Fraction
 from functools import cmp_to_key
 from typing import TypeVar, overload
 
-from exactsweep.numbers.number import Rational, Vertex
+from exactsweep.numbers.number import Edge, Rational, Vertex
 
 P = TypeVar("P", bound=Vertex)
 
@@ -80,6 +81,26 @@ def touch(a: Vertex, b: Vertex, p: Vertex, q: Vertex) -> list[Vertex] | None:
         return None
     # The edges are not parallel and meet at one point, an end of one of them.
     return [a if of_a == 0 else b if of_b == 0 else p if of_p == 0 else q]
+
+
+def intersect(edge: Edge, other: Edge) -> list[Vertex]:
+    """Return the ends of the intersection of two edges: no point, one, or two.
+
+    >>> [(str(x), str(y)) for x, y in intersect(((0, 0), (2, 1)), ((1, 0), (1, 2)))]
+    [('1', '1/2')]
+    >>> intersect(((0, 0), (2, 0)), ((1, 0), (3, 0)))
+    [(1, 0), (2, 0)]
+    """
+    (a, b), (p, q) = edge, other
+    common = touch(a, b, p, q)
+    if common is not None:
+        return common
+    of_a, of_b = orientation(p, q, a), orientation(p, q, b)
+    if of_a == of_b:
+        # The edges are collinear and overlap.
+        return [max(min(a, b), min(p, q)), min(max(a, b), max(p, q))]
+    (ax, ay), (dx, dy), along = a, minus(b, a), Fraction(of_a) / (of_a - of_b)
+    return [(ax + along * dx, ay + along * dy)]
 
 
 def find_hull(points: Iterable[P]) -> list[P]:

@@ -14,7 +14,7 @@ from itertools import pairwise
 
 from exactsweep.geometry.canonical import find_doubled_area
 from exactsweep.geometry.near import find_near
-from exactsweep.geometry.vectors import is_on_segment, orientation
+from exactsweep.geometry.vectors import intersect, orientation
 from exactsweep.layout.layout import LayoutPart
 from exactsweep.numbers.number import Point
 
@@ -48,29 +48,13 @@ def _list_inner(edges: Sequence[_PartEdge]) -> Iterator[Point]:
     meetings = [{*edge} for edge in edges]
     boxes = [(min(a.x, b.x), max(a.x, b.x), min(a.y, b.y), max(a.y, b.y)) for a, b in edges]
     for k, j in find_near(boxes):
-        common = _meet(edges[k], edges[j])
+        common = [Point(Fraction(x), Fraction(y)) for x, y in intersect(edges[k], edges[j])]
         meetings[k].update(common)
         meetings[j].update(common)
     for (a, b), points in zip(edges, meetings, strict=True):
         if a.y != b.y:
             for p, q in pairwise(sorted(points)):
                 yield Point((p.x + q.x) / 2, (p.y + q.y) / 2)
-
-
-def _meet(one: _PartEdge, other: _PartEdge) -> list[Point]:
-    """Return the point where two edges cross, or the ends of each that are on the other."""
-    (a, b), (p, q) = one, other
-    of_p, of_q, of_a, of_b = (
-        orientation(a, b, p),
-        orientation(a, b, q),
-        orientation(p, q, a),
-        orientation(p, q, b),
-    )
-    if of_p * of_q < 0 and of_a * of_b < 0:
-        share = Fraction(of_p) / (of_p - of_q)
-        return [Point(p.x + share * (q.x - p.x), p.y + share * (q.y - p.y))]
-    ends = [z for z in one if is_on_segment(z, *other)]
-    return ends + [z for z in other if is_on_segment(z, *one)]
 
 
 def _wind(edges: Sequence[_PartEdge], z: Point) -> int:
