@@ -13,8 +13,8 @@ from exactsweep.text.results import direction_to_json
 
 Quantities = Literal["trajectory", "loops", "areas", "nfp"]
 QUANTITIES: tuple[Quantities, ...] = ("trajectory", "loops", "areas", "nfp")
-"""What a batch can compute: trajectories only, all loops and areas, areas only, or no-fit polygons
-with holes and exact fits."""
+"""The computations of a batch: trajectories only, all loops and areas, areas only, or no-fit
+polygons with holes and exact fits."""
 
 COLUMNS = {
     "trajectory": ("kind", "direction", "trajectory"),

@@ -9,7 +9,7 @@ from math import isqrt
 from typing import Any
 
 from exactsweep.check.figures import Figure
-from exactsweep.check.standalone import edges, node, outline, winding
+from exactsweep.check.standalone import Edge, edges, node, outline, side, winding
 from exactsweep.check.terms import Constructor, Nat, RationalPoint, TheoremError
 
 KINDS = {
@@ -75,25 +75,29 @@ def _points(
     figure: Figure, z: RationalPoint, is_complement: bool
 ) -> Iterator[RationalPoint | None]:
     """Yield points of a figure or its complement that converge to the point nearest to z."""
+    around = [*chain(*(edges([node(*p) for p in ring]) for ring in figure.outline))]
+    segments = outline(around)
     for k in range(STEPS):
         step = Fraction(1, 2 ** (2**k))
         found = [_rounded_point(*piece, z, is_complement, step) for piece in figure.rounded]
-        if figure.outline:
-            found += _ring_point(figure.outline, z, is_complement, step)
+        if around:
+            found += _ring_point(around, segments, z, is_complement, step)
         yield min(found, key=lambda p: _squared(p, z), default=None)
 
 
 def _ring_point(
-    rings: list[list[RationalPoint]], z: RationalPoint, is_complement: bool, step: Fraction
+    around: list[Edge],
+    segments: list[PointPair],
+    z: RationalPoint,
+    is_complement: bool,
+    step: Fraction,
 ) -> list[RationalPoint]:
-    around = [*chain(*(edges([node(*p) for p in ring]) for ring in rings))]
-
     def is_wanted(p: RationalPoint) -> bool:
         return winding(around, node(*p)) == 1 - is_complement
 
     if is_wanted(z):
         return [z]
-    feet = [(_foot(p, q, z), p, q) for p, q in outline(around)]
+    feet = [(_foot(p, q, z), p, q) for p, q in segments]
     least = min(_squared(foot, z) for foot, *_ in feet)
     for (x, y), p, q in feet:
         if _squared((x, y), z) == least:
@@ -124,8 +128,8 @@ def _rounded_point(
 ) -> RationalPoint:
     """Return a point of a rounded piece or its complement on the ray from its hull to z."""
     sides = [*zip(points, points[1:] + points[:1], strict=True)]
-    lefts = [(q[0] - p[0]) * (z[1] - p[1]) - (q[1] - p[1]) * (z[0] - p[0]) for p, q in sides]
-    is_in_hull = len(points) > 2 and all(left >= 0 for left in lefts)
+    lines = [line for *_, line in edges([node(*p) for p in points])]
+    is_in_hull = len(points) > 2 and all(side(line, node(*z)) >= 0 for line in lines)
     found = [(_foot(p, q, z), p, q) for p, q in sides]
     foot, p, q = min(found, key=lambda entry: _squared(entry[0], z))
     away = z[0] - foot[0], z[1] - foot[1]

@@ -82,9 +82,8 @@ def claim_layout(c: Any) -> CoqClaim:
 def _faulty(found: _LayoutTerms, faults: Any) -> CoqClaim:
     beyond = (found.sheet, found.gaps["margin"]) if found.sheet else None
     placed = [(e, found.gaps["spacing"]) for e in found.placed]
-    claims = [
-        claim_fault(e, found.index, [*placed, *found.obstacles[::-1], beyond]) for e in faults
-    ]
+    bodies = [*placed, *found.obstacles[::-1], beyond]
+    claims = [claim_fault(e, found.index, bodies) for e in faults]
     layout = found.term([move.slack for move in found.moves])
     statement: dict[str, tuple[str, Any]] = {"layout": ("Statements.layout", layout)}
     statement["faults"] = ("list Statements.fault", [term for term, _ in claims])
@@ -103,21 +102,12 @@ def _valid(found: _LayoutTerms, proof: Any) -> CoqClaim:
     outside, *cut_obstacles = map(_pieces, proof["outside"])
     pieces = [[move_ring(m.motion, ring) for ring in cut[m.kind]] for m in found.moves]
     frame = [Fraction(n) for n in proof.get("frame") or [0] * 4]
-    placed = [
-        e._replace(error=e.error - m.slack) for e, m in zip(found.placed, found.moves, strict=True)
-    ]
-    obstacles, distances = zip(*found.obstacles, strict=True) if found.obstacles else ((), ())
-    every = [*placed, *found.drawn, *obstacles, *([found.sheet] if found.sheet else [])]
-    numbers = [
-        *found.gaps.values(),
-        *distances,
-        *frame,
-        *(n for one in every for n in one.numbers()),
-    ]
-    rings = [
-        *(ring for one in every for ring in one.rings()),
-        *chain(*pieces, *cut, *cut_obstacles),
-    ]
+    # Placed figures have the radii and the own errors of drawn ones.
+    every = [*found.drawn, *(e for e, _ in found.obstacles), sheet]
+    numbers = [*found.gaps.values(), *(distance for _, distance in found.obstacles), *frame]
+    numbers += chain(*(e.numbers() for e in every))
+    rings = [*chain(*(e.rings() for e in [*found.placed, *every]))]
+    rings += chain(*pieces, *cut, *cut_obstacles)
     unit = find_unit(*rings, *outside, [(n, n) for n in numbers])
     unit *= SLACK if any(move.slack for move in found.moves) else 1
     layout = found.term([Fraction(ceil(move.slack * unit), unit) for move in found.moves])

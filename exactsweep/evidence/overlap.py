@@ -58,7 +58,7 @@ class Overlap:
 
     @cached_property
     def verdict(self) -> str:
-        """Whether the interiors meet, "OVERLAP", or only the boundaries, "CONTACT"; else "FREE"."""
+        """The relation: "OVERLAP" if interiors meet, "CONTACT" if only boundaries do, or "FREE"."""
         first, second = self._lattice[1]
         relation: str = relate(EdgeIndex(first), EdgeIndex(second)).value
         return relation

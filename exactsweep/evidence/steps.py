@@ -145,10 +145,8 @@ class _Guide:
 
     def _piece(self, contact: Contact, edge: Edge) -> Edge:
         """Find the piece of an edge of the trajectory along which a contact lasts."""
-        lasting, whole = (
-            find_translations(contact, self.generatrix, self.directrix),
-            make_segment(edge),
-        )
+        lasting = find_translations(contact, self.generatrix, self.directrix)
+        whole = make_segment(edge)
         ends = max(lasting.low, whole.low), min(lasting.high, whole.high)
         start, end = map(whole.point, ends if edge[0] < edge[1] else ends[::-1])
         return start, end

@@ -100,7 +100,7 @@ class LayoutPart:
 
     @cached_property
     def refusal(self) -> str:
-        """Why the rings do not bound a region; "" if they do."""
+        """The reason that the rings do not bound a region, or ""."""
         return self._read[1]
 
     @cached_property

@@ -71,7 +71,7 @@ class Evidence:
 
 
 Observation = str | Counterexample | Table | Growth | Evidence
-"""What a check yields. A string describes a failure unless it is empty."""
+"""A result of a check. A string describes a failure unless it is empty."""
 
 
 @dataclass(frozen=True)

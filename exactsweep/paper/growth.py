@@ -94,7 +94,7 @@ class Growth:
 
     @property
     def judged(self) -> int:
-        """How many of the largest sizes to fit the exponent to; 0 for all."""
+        """The number of largest sizes to fit the exponent to; 0 for all."""
         return 3 if self.unit == "seconds" else 0
 
     @property
@@ -154,7 +154,7 @@ class Growth:
 
     @property
     def failure(self) -> str:
-        """How the count violates the bound, or an empty string."""
+        """The violation of the bound in words, or an empty string."""
         if self.side != "upper" and not self.is_attained:
             return f"{self.what} on {self.family} fall below {self.bound}"
         if self.side == "lower" or self.is_flat:

@@ -14,6 +14,8 @@ from random import Random
 from typing import Any
 
 import pytest
+from certified import CAVE, rect
+from certified import SQUARE as UNIT
 from command import run
 from compare_checkers import compare
 from falsify import change
@@ -27,21 +29,6 @@ from exactsweep.check.theorem import write_theorem
 from exactsweep.corpus import cases, layout_cases
 from exactsweep.layout import Layout, LayoutError, judge_layout
 
-CAVE = [
-    (0, 0),
-    (4, 0),
-    (4, 2),
-    (3, 2),
-    (3, 1),
-    (1, 1),
-    (1, 4),
-    (3, 4),
-    (3, 3),
-    (4, 3),
-    (4, 5),
-    (0, 5),
-]
-UNIT = [(0, 0), (1, 0), (1, 1), (0, 1)]
 TRAY = [(0, 0), (5, 0), (5, "7/2"), (0, 4)]
 
 KINDS = ["no_fit", "inner_fit", "sweep", "sum", "layout", "faults"]
@@ -80,8 +67,13 @@ def small_certificates() -> dict[str, Any]:
 
 def faulty_layout() -> Layout:
     """Return squares, a disc and slots with errors: all kinds of faults but one."""
-    corners = [["0", "0"], ["4", "0"], ["4", "4"], ["0", "4"]]
-    square = {"id": "square", "exterior": corners, "error": "1/10", "demand": 1, "turns": ["0"]}
+    square = {
+        "id": "square",
+        "exterior": rect(0, 0, 4, 4),
+        "error": "1/10",
+        "demand": 1,
+        "turns": ["0"],
+    }
     disc = {"id": "disc", "pieces": [{"points": [["0", "0"]], "radius": "1"}], "mirrored": False}
     slot = {"id": "slot", "pieces": [{"points": [["0", "0"], ["3", "0"]], "radius": "1/2"}]}
     return Layout.from_json(

@@ -15,7 +15,7 @@ needs_node = pytest.mark.skipif(shutil.which("node") is None, reason="no node")
 
 
 def is_proved(certificate: Any) -> bool:
-    """Whether the checker in Python proves a certificate, JSON data."""
+    """Decide whether the checker in Python proves a certificate, JSON data."""
     try:
         prove(certificate)
     except Refused:

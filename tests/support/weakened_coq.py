@@ -10,11 +10,12 @@ import json
 import subprocess
 from collections.abc import Iterable, Iterator
 from contextlib import suppress
-from itertools import count
 from pathlib import Path
 from random import Random
 from tempfile import TemporaryDirectory
 from typing import Any
+
+from certified import L, rect
 
 from exactsweep import (
     Polyline,
@@ -65,9 +66,8 @@ let () =
 def build(extracted: Path, folder: Path) -> Path:
     """Compile the program with numbered conjunctions; return its path."""
     checker = (extracted / "checker.ml").read_text(encoding="utf-8")
-    numbers = count()
     parts = checker.split(CONJUNCTION)
-    numbered = parts[0] + "".join(f"(Conjunctions.conj {next(numbers)}){e}" for e in parts[1:])
+    numbered = parts[0] + "".join(f"(Conjunctions.conj {k}){e}" for k, e in enumerate(parts[1:]))
     driver = (extracted / "driver.ml").read_text(encoding="utf-8")
     (folder / "conjunctions.ml").write_text(HEAD, encoding="utf-8")
     (folder / "checker.ml").write_text(numbered, encoding="utf-8")
@@ -82,20 +82,19 @@ def build(extracted: Path, folder: Path) -> Path:
 def list_dropped(extracted: Path) -> dict[int, str]:
     """Return the numbers of dropped sides, each with the function that has the conjunction."""
     found, name = dict[int, str](), ""
-    numbers = count()
     for line in (extracted / "checker.ml").read_text(encoding="utf-8").splitlines():
         if line.startswith(("let ", "and ")):
             words = line.split()
             name = words[2 if words[1] == "rec" else 1]
         for _ in range(line.count(CONJUNCTION)):
-            k = next(numbers)
+            k = len(found) // 2
             found |= {2 * k: f"{name}, second of {k}", 2 * k + 1: f"{name}, first of {k}"}
     return found
 
 
 def find_noticed(program: Path, lines: Iterable[str]) -> list[set[int]]:
     """Return the dropped sides that change the answer to each claim."""
-    text = "".join(line if line.endswith("\n") else f"{line}\n" for line in lines)
+    text = "".join(f"{line}\n" for line in lines)
     done = subprocess.run([program], input=text, capture_output=True, text=True, check=True)
     return [{*map(int, line.split())} for line in done.stdout.splitlines()]
 
@@ -123,8 +122,7 @@ def change_words(line: str, rng: Random, times: int) -> Iterator[str]:
 
 def square(left: int, low: int, side: int = 1) -> list[list[str]]:
     """Return the corners of a square as text."""
-    right, high = left + side, low + side
-    return [[str(x), str(y)] for x, y in [(left, low), (right, low), (right, high), (left, high)]]
+    return rect(left, low, left + side, low + side)
 
 
 def disc(x: int, y: int, radius: str) -> dict[str, Any]:
@@ -135,7 +133,6 @@ def disc(x: int, y: int, radius: str) -> dict[str, Any]:
 def list_layouts() -> Iterator[dict[str, Any]]:
     """List small layouts, in which most conditions decide alone."""
     unit = {"id": "a", "exterior": square(0, 0)}
-    ell = [["0", "0"], ["2", "0"], ["2", "1"], ["1", "1"], ["1", "2"], ["0", "2"]]
     box = {"exterior": square(0, 0, 3)}
     one = [{"part": "a", "move": ["1", "1"]}]
     two = [*one, {"part": "a", "move": ["3", "1"]}]
@@ -150,7 +147,7 @@ def list_layouts() -> Iterator[dict[str, Any]]:
     yield {"parts": [{**unit, "error": "1/4"}], "placements": two, "spacing": "1/2"}
     yield {"parts": [unit], "placements": one, "container": box, "margin": "1"}
     yield {"parts": [{**unit, "error": "1"}], "placements": one, "container": box}
-    yield {"parts": [{"id": "a", "exterior": ell}], "placements": one, "container": box}
+    yield {"parts": [{"id": "a", "exterior": L}], "placements": one, "container": box}
     yield {"parts": [{"id": "a", **ring}], "placements": one}
     yield {"parts": [{**unit, **rules}], "placements": moved, "spacing": "1"}
     yield {"parts": [{"id": "a", **disc(0, 0, "1")}], "placements": two, "spacing": "0"}
@@ -173,8 +170,8 @@ def list_layouts() -> Iterator[dict[str, Any]]:
     yield {"parts": [unit], "placements": one, "defects": [{"exterior": square(1, 1, 2)}]}
     yield {"parts": [{**unit, **rules, "mirrored": False}], "placements": [*moved, *one]}
     yield {"parts": [{**unit, "turns": ["90"], "demand": 3}], "placements": one}
-    twice = [["0", "0"], ["2", "0"], ["2", "2"], ["0", "2"]]
-    yield {"parts": [{"id": "a", "exterior": twice + twice}], "placements": one}
+    twice = square(0, 0, 2) * 2
+    yield {"parts": [{"id": "a", "exterior": twice}], "placements": one}
 
 
 def list_claims() -> list[str]:

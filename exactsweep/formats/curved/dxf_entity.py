@@ -74,7 +74,7 @@ class Entity:
 
     @property
     def hidden(self) -> str:
-        """Why the entity is hidden regardless of its layer, else ""."""
+        """The reason that the entity is hidden regardless of its layer, or ""."""
         if self._text(_PAPER, "0") == "1":
             return "in paper space"
         return "made invisible" if self._text(_INVISIBLE, "0") == "1" else ""
