@@ -41,7 +41,7 @@ def keep_layers(outlines: Sequence[Candidate], reading: Reading) -> Sequence[Can
 
 def list_layers(outline: Candidate) -> list[str]:
     """List the layer and the groups of an outline."""
-    return [*([] if outline.layer is None else [outline.layer]), *outline.groups]
+    return [name for name in (outline.layer, *outline.groups) if name is not None]
 
 
 def get_layer(outline: Candidate) -> str | None:

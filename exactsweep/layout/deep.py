@@ -18,7 +18,7 @@ from itertools import pairwise
 
 from exactsweep.geometry.distance import measure_to_edge
 from exactsweep.geometry.intersection import find_common_boundary
-from exactsweep.geometry.near import BoxRows
+from exactsweep.geometry.near import BoxRows, bound_points
 from exactsweep.layout.solid import LatticeForm, Solid
 from exactsweep.numbers.number import Edge, Point, Rational, Vertex
 
@@ -60,9 +60,7 @@ def _list_rings(solid: Solid) -> list[list[Vertex]]:
 
 def _list_lines(boundary: Sequence[Edge]) -> Iterator[_HorizontalChord]:
     """Yield the chords on the lines of (2), each as left, right and height."""
-    boxes = [
-        (min(px, qx), max(px, qx), min(py, qy), max(py, qy)) for (px, py), (qx, qy) in boundary
-    ]
+    boxes = [*map(bound_points, boundary)]
     rows, right = BoxRows(boxes), max((box[1] for box in boxes), default=0)
     left = min((box[0] for box in boxes), default=0)
     for low, high in pairwise(sorted({y for edge in boundary for _, y in edge})):

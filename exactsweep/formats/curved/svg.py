@@ -186,11 +186,11 @@ def _read(shape: PlacedElement, reading: Reading) -> list[Candidate | OpenLine]:
             closed += [path.closed() for path in opened if len(path.points) > 2 or path.curves]
             opened = [path for path in opened if len(path.points) == 2 and not path.curves]
         drawn: list[Candidate | OpenLine] = []
+        outline = whole._replace(rule=shape.rule)
         if len(closed) > 1 and is_filled(shape):
-            drawn += _draw_regions(closed, whole._replace(rule=shape.rule), reading)
+            drawn += _draw_regions(closed, outline, reading)
         else:
             # Unfilled paths are outlines, and those inside others are holes.
-            outline = whole._replace(rule=shape.rule)
             lines = [draw_outline(path, outline, reading) for path in closed]
             drawn += lines if reading.apart or len(lines) < 2 else nest_lines(lines)
         if not drawn and not opened:
@@ -198,9 +198,8 @@ def _read(shape: PlacedElement, reading: Reading) -> list[Candidate | OpenLine]:
     except ValueError as error:
         is_ornament = isinstance(error, OrnamentError)
         return [whole.rejected(f"{shape.place}: {error}", ornament=is_ornament)]
-    if is_filled(shape):
-        whole = whole._replace(rule=shape.rule)
-    return drawn + [OpenLine.of(whole, path, is_exact=not matrix.off) for path in opened]
+    line = outline if is_filled(shape) else whole
+    return drawn + [OpenLine.of(line, path, is_exact=not matrix.off) for path in opened]
 
 
 def is_filled(shape: PlacedElement) -> bool:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 from fractions import Fraction
 from itertools import pairwise
 from typing import NamedTuple
@@ -61,7 +61,7 @@ def find_sheets(outlines: Sequence[Candidate], container: str | None) -> list[Sh
         left, low, right, high = boxes[id(one)]
         return (right - left) * (high - low)
 
-    marked = _list_marked(outlines, container)
+    marked = _list_marked(outlines, container, boxes)
     by_size = sorted(marked, key=size, reverse=True)
     found: list[Candidate] = []
     for one in by_size:
@@ -88,7 +88,8 @@ def find_sheets(outlines: Sequence[Candidate], container: str | None) -> list[Sh
     for one in outlines:
         if not any(one is other for other in found):
             sheet = _find_sheet(boxes[id(one)], sheets, boxes)
-            if sheet.container is not None and _is_copy(one, sheet.container):
+            held = sheet.container
+            if held is not None and boxes[id(one)] == boxes[id(held)] and _is_copy(one, held):
                 sheet.copies.append(one)
                 continue
             grouped = container is not None and container.casefold() in map(
@@ -99,7 +100,9 @@ def find_sheets(outlines: Sequence[Candidate], container: str | None) -> list[Sh
     return sheets
 
 
-def _list_marked(outlines: Sequence[Candidate], container: str | None) -> list[Candidate]:
+def _list_marked(
+    outlines: Sequence[Candidate], container: str | None, boxes: dict[int, _Spread]
+) -> list[Candidate]:
     if container is None:
         return [
             one
@@ -115,7 +118,7 @@ def _list_marked(outlines: Sequence[Candidate], container: str | None) -> list[C
     choice = container if container in spelled or len(spelled) != 1 else spelled.pop()
     grouped = [one for one in outlines if choice in one.groups]
     if grouped and not any(choice in (one.name, one.layer) for one in outlines):
-        around = _find_around(grouped, {id(one): _bound(one) for one in grouped})
+        around = _find_around(grouped, boxes)
         if around is None:
             raise FormatError(f"no outline of the group {quote(choice)} contains the others")
         return [around]
@@ -141,9 +144,9 @@ def _bound(outline: Candidate) -> _Spread:
     return min(xs), min(ys), max(xs), max(ys)
 
 
-def _find_around(outlines: Iterable[Candidate], boxes: dict[int, _Spread]) -> Candidate | None:
+def _find_around(outlines: Sequence[Candidate], boxes: dict[int, _Spread]) -> Candidate | None:
     """Find the outline whose box contains all others, if all such outlines are copies of it."""
-    lefts, lows, rights, highs = zip(*boxes.values(), strict=True)
+    lefts, lows, rights, highs = zip(*(boxes[id(one)] for one in outlines), strict=True)
     whole = min(lefts), min(lows), max(rights), max(highs)
     found = [one for one in outlines if boxes[id(one)] == whole]
     return found[0] if found and all(_is_copy(one, found[0]) for one in found) else None

@@ -93,10 +93,13 @@ def _list_open(outlines: Sequence[Candidate], parts: Sequence[Candidate]) -> lis
 
     Raises FormatError for other open shapes.
     """
+    rejected = [one for one in outlines if one.fault]
+    if not rejected:
+        return []
     layers = {one.layer for one in outlines if not one.fault}
     rows = BoxRows([bound_points(part.vertices()) for part in parts])
     left, engraved = Counter[str | None](), list[str]()
-    for one in (one for one in outlines if one.fault):
+    for one in rejected:
         layer = get_layer(one)
         if one.layer not in layers:
             left[one.layer] += 1
