@@ -9,7 +9,7 @@ from exactsweep.geometry.direction import DirectionError, Vector, read_direction
 from exactsweep.geometry.frame import find_shared_direction, require_monotone
 from exactsweep.geometry.reading import read_point
 from exactsweep.geometry.region import AnyPolygon, Region, Vertices, to_region, to_regions, to_shape
-from exactsweep.numbers.error import tells_arguments
+from exactsweep.numbers.error import explain_type_errors
 from exactsweep.numbers.number import ORIGIN
 
 __all__ = [
@@ -24,7 +24,7 @@ __all__ = [
 ]
 
 
-@tells_arguments
+@explain_type_errors
 def sweep(
     generatrix: Region | Vertices,
     directrix: Region | Vertices,
@@ -86,7 +86,7 @@ def _share(generatrix: AnyPolygon, directrix: AnyPolygon) -> Vector | None:
     return find_shared_direction(generatrix.exterior, directrix.exterior)
 
 
-@tells_arguments
+@explain_type_errors
 def no_fit_polygon(
     stationary: Region | Vertices,
     orbiting: Region | Vertices,
@@ -126,7 +126,7 @@ def no_fit_polygon(
     return NoFitPolygon(Region(d), Region(g), _share(g, d), origin)
 
 
-@tells_arguments
+@explain_type_errors
 def inner_fit_polygon(
     container: Region | Vertices,
     part: Region | Vertices,
@@ -161,7 +161,7 @@ def inner_fit_polygon(
     return InnerFit(*shapes, read_point(reference, "reference"))
 
 
-@tells_arguments
+@explain_type_errors
 def minkowski_difference(a: Region | Vertices, b: Region | Vertices) -> InnerFit:
     """Find the Minkowski difference of two shapes, the erosion of a by b.
 
@@ -175,7 +175,7 @@ def minkowski_difference(a: Region | Vertices, b: Region | Vertices) -> InnerFit
     return InnerFit(to_region(a, "a"), to_region(b, "b"), ORIGIN)
 
 
-@tells_arguments
+@explain_type_errors
 def free_positions(
     container: Region | Vertices,
     placed: Iterable[Region | Vertices],

@@ -19,7 +19,7 @@ from exactsweep.formats.files import name_failures, show_path, split_lines
 from exactsweep.formats.folder import make_unique
 from exactsweep.formats.rounding import Rounding
 from exactsweep.numbers.digits import format_fraction
-from exactsweep.numbers.error import quote, tells_arguments
+from exactsweep.numbers.error import explain_type_errors, quote
 from exactsweep.numbers.limits import get_max_bytes
 
 CHUNK_PAIRS = 16
@@ -58,7 +58,7 @@ class Job(NamedTuple):
             yield chunk
 
 
-@tells_arguments
+@explain_type_errors
 def take_all_pairs(
     generatrices: Iterable[NamedPolygon | Part],
     directrices: Iterable[NamedPolygon | Part],
@@ -89,7 +89,7 @@ def take_all_pairs(
     return Job(work, total, _digest_input(work, b"all pairs"), None)
 
 
-@tells_arguments
+@explain_type_errors
 def take_listed_pairs(
     path: str,
     parts: Iterable[NamedPolygon | Part] = (),

@@ -8,7 +8,7 @@ from exactsweep.formats.part_list import Said
 from exactsweep.formats.reading import Options
 from exactsweep.geometry.region import AnyPolygon
 from exactsweep.geometry.turn import read_turn
-from exactsweep.numbers.error import tells_arguments
+from exactsweep.numbers.error import explain_type_errors
 
 
 class Part(NamedTuple):
@@ -23,7 +23,7 @@ class Part(NamedTuple):
     polygon: AnyPolygon | str
 
 
-@tells_arguments
+@explain_type_errors
 def read_parts(path: str, tolerance: object = None, **options: Unpack[Options]) -> tuple[Part, ...]:
     """Read a part list; an invalid polygon affects only its own pairs.
 

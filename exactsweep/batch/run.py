@@ -11,7 +11,7 @@ from exactsweep.batch.error import BatchError
 from exactsweep.batch.job import Job
 from exactsweep.batch.output import Output
 from exactsweep.batch.work import Chunk, NumberedPair, Work
-from exactsweep.numbers.error import quote, tells_arguments
+from exactsweep.numbers.error import explain_type_errors, quote
 
 if TYPE_CHECKING:
     from concurrent.futures import Future
@@ -38,7 +38,7 @@ class Counts(NamedTuple):
     resumed: int
 
 
-@tells_arguments
+@explain_type_errors
 def run(
     job: Job,
     output: str,

@@ -16,7 +16,7 @@ from exactsweep.formats.files import decode_text
 from exactsweep.formats.parsing import find_candidates
 from exactsweep.formats.rounding import Rounding
 from exactsweep.geometry.region import AnyPolygon
-from exactsweep.numbers.error import name_refusals, quote
+from exactsweep.numbers.error import prefix_errors, quote
 from exactsweep.numbers.limits import Limits, get_max_mib, limits, list_limits
 from exactsweep.sweep import NoFitPolygon, Sweep, no_fit_polygon, sweep
 from exactsweep.words import suggest
@@ -126,7 +126,7 @@ class Work:
                 near = suggest(value, self._by_name)
                 raise FormatError(f"$.{name}: there is no part {quote(value)}{near}")
             return _polygon(self._by_name[value], name)
-        with name_refusals(name, FormatError):
+        with prefix_errors(name, FormatError):
             return choose(find_candidates(value), None).shape()
 
     @cached_property

@@ -22,7 +22,7 @@ from exactsweep.check.location import locate_in_shape
 from exactsweep.check.meeting import find_cones_of, list_meetings, split_where_touching
 from exactsweep.check.shape import LatticeShape, find_box, list_rings, meet, scale_shapes
 from exactsweep.geometry.reading import read_point
-from exactsweep.numbers.error import name_refusals, tells_arguments
+from exactsweep.numbers.error import explain_type_errors, prefix_errors
 from exactsweep.numbers.number import Point, Vertex
 
 Meeting = Literal["FREE", "CONTACT", "OVERLAP"]
@@ -35,7 +35,7 @@ class Classification(NamedTuple):
     witness: Point | None
 
 
-@tells_arguments
+@explain_type_errors
 def classify(directrix: Any, generatrix: Any, t: tuple[Any, Any]) -> Classification:
     """Decide whether a directrix D meets a translated generatrix G + t.
 
@@ -63,9 +63,9 @@ def classify(directrix: Any, generatrix: Any, t: tuple[Any, Any]) -> Classificat
     ['FREE', 'CONTACT', 'OVERLAP']
     """
     x, y = read_point(t, "the position")
-    with name_refusals("directrix"):
+    with prefix_errors("directrix"):
         polygons = [list_rings(directrix)]
-    with name_refusals("generatrix"):
+    with prefix_errors("generatrix"):
         polygons.append(list_rings(generatrix))
     scale, (d, g, (((dx, dy),),)) = scale_shapes([*polygons, ((Point(x, y),),)])
     shapes = d, tuple(tuple((px + dx, py + dy) for px, py in ring) for ring in g)

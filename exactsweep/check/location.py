@@ -7,11 +7,11 @@ from typing import Any
 
 from exactsweep.check.shape import list_rings, scale_shapes
 from exactsweep.geometry.reading import read_point
-from exactsweep.numbers.error import tells_arguments
+from exactsweep.numbers.error import explain_type_errors
 from exactsweep.numbers.number import Vertex
 
 
-@tells_arguments
+@explain_type_errors
 def point_in_polygon(point: tuple[Any, Any], polygon: Any) -> int:
     """Locate a point: 1 in the interior of a polygon, 0 on its boundary, -1 outside.
 

@@ -24,7 +24,7 @@ from exactsweep.check.standalone import (
     shape as read_shape,
 )
 from exactsweep.geometry.reading import read_point
-from exactsweep.numbers.error import ExactSweepError, name_refusals, tells_arguments
+from exactsweep.numbers.error import ExactSweepError, explain_type_errors, prefix_errors
 from exactsweep.numbers.number import Point
 
 
@@ -40,7 +40,7 @@ class Verification(NamedTuple):
     witness: Point | None
 
 
-@tells_arguments
+@explain_type_errors
 def verify(
     certificate: Any,
     *,
@@ -105,7 +105,7 @@ def verify(
 
 def _read_given(polygon: Any, name: str) -> list[Ring]:
     rings = (polygon.exterior, *polygon.holes) if hasattr(polygon, "holes") else (polygon,)
-    with name_refusals(name):
+    with prefix_errors(name):
         try:
             return [_read_points(getattr(points, "vertices", points)) for points in rings]
         except TypeError:
@@ -115,7 +115,7 @@ def _read_given(polygon: Any, name: str) -> list[Ring]:
 
 
 def _read_path(path: Any) -> Ring:
-    with name_refusals("path"):
+    with prefix_errors("path"):
         try:
             points = _read_points(getattr(path, "points", path))
         except TypeError:

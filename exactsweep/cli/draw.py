@@ -11,14 +11,14 @@ from exactsweep.cli.pair import coordinates_of_files, takes_pair, takes_question
 from exactsweep.cli.working import working
 from exactsweep.formats import show_path
 from exactsweep.formats.files import name_failures
-from exactsweep.numbers.error import name_refusals
+from exactsweep.numbers.error import prefix_errors
 from exactsweep.words import spell_out
 
 
 def _require_suffix(path: str) -> str:
     from exactsweep.draw import read_suffix
 
-    with name_refusals(show_path(path)):
+    with prefix_errors(show_path(path)):
         read_suffix(path)
     return path
 

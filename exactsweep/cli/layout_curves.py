@@ -15,7 +15,7 @@ from fractions import Fraction
 from typing import TYPE_CHECKING
 
 from exactsweep.formats import FormatError
-from exactsweep.numbers.error import name_refusals
+from exactsweep.numbers.error import prefix_errors
 
 if TYPE_CHECKING:
     from exactsweep.formats.layouts import FoundLayout
@@ -36,7 +36,7 @@ def judge_found(found: FoundLayout, gaps: Mapping[str, str], title: str) -> Judg
     """Judge a layout with the curves as flattened by its reader."""
     from exactsweep.layout import Layout, judge_layout
 
-    with name_refusals(title):
+    with prefix_errors(title):
         layout = Layout.from_json({**found.data, **gaps})
     return judge_layout(layout)
 

@@ -29,7 +29,7 @@ from exactsweep.formats.part_list import Coordinates, PartList, Said
 from exactsweep.formats.polygons import name_file, read_choice, read_single, split_choice
 from exactsweep.geometry.direction import DirectionError, Vector, read_direction
 from exactsweep.geometry.polygon import Polygon
-from exactsweep.numbers.error import name_refusals
+from exactsweep.numbers.error import prefix_errors
 from exactsweep.numbers.number import to_fraction
 from exactsweep.words import count
 
@@ -315,7 +315,7 @@ def read_placed(
     errors = [Fraction(0)]
     for part in listing.parts:
         # Placed shapes that are not simple are errors.
-        with name_refusals(part.file):
+        with prefix_errors(part.file):
             shapes = part.candidate.named_regions(said)
         others += [one.region for one in shapes]
         errors += [one.error for one in shapes]
@@ -352,7 +352,7 @@ def _read_layout(path: str, reading: ReadingOptions) -> list[Region]:
         return []
     found: list[Region] = []
     for one in read_layouts(path, **reading):
-        with name_refusals(show_path(path)):
+        with prefix_errors(show_path(path)):
             layout = Layout.from_json(one.data)
         board = Board(layout)
         found += [board.turned(k).translated(layout.placements[k].move) for k in board.placed]

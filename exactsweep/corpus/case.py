@@ -12,7 +12,7 @@ from exactsweep.geometry.frame import Kind
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.geometry.reading import read_point
 from exactsweep.geometry.region import AnyPolygon, Region
-from exactsweep.numbers.error import ExactSweepError, tells_arguments
+from exactsweep.numbers.error import ExactSweepError, explain_type_errors
 from exactsweep.numbers.number import Loop
 from exactsweep.sweep import inner_fit_polygon, sweep
 
@@ -43,7 +43,7 @@ class Case(AnsweredPair):
     version: int = 1
 
     @classmethod
-    @tells_arguments
+    @explain_type_errors
     def of(
         cls,
         id: str,

@@ -15,12 +15,12 @@ from exactsweep.geometry.polygon import Polygon
 from exactsweep.geometry.region import Region
 from exactsweep.numbers.addition import add_up
 from exactsweep.numbers.digits import to_plain
-from exactsweep.numbers.error import name_refusals, quote, tells_arguments
+from exactsweep.numbers.error import explain_type_errors, prefix_errors, quote
 from exactsweep.numbers.number import Fit, Loop
 from exactsweep.words import suggest
 
 
-@tells_arguments
+@explain_type_errors
 def case_to_json(case: Case) -> dict[str, Any]:
     """Write a case as a dict for `json.dump` in the format of `schema.json`.
 
@@ -75,7 +75,7 @@ def case_to_json(case: Case) -> dict[str, Any]:
     return to_plain(data)
 
 
-@tells_arguments
+@explain_type_errors
 def case_from_json(data: object) -> Case:
     """Read a case without computing the sweep again.
 
@@ -142,7 +142,7 @@ def _read(data: JsonNode) -> Case:
 def _given(ring: JsonNode) -> Loop:
     """Read a ring as given; it must be a polygon."""
     points = read_vertices(*ring)
-    with name_refusals(ring.path):
+    with prefix_errors(ring.path):
         Polygon(points)
     return tuple(points)
 
@@ -153,7 +153,7 @@ def _polygon(ring: JsonNode) -> Polygon:
 
 def _region(region: JsonNode) -> Region:
     exterior, holes = _polygon(region / "exterior"), map(_polygon, (region / "holes").each())
-    with name_refusals(region.path):
+    with prefix_errors(region.path):
         return Region(exterior, [*holes])
 
 

@@ -8,7 +8,7 @@ from typing import Any, NamedTuple
 from exactsweep.corpus.names import require_known
 from exactsweep.corpus.shipped import read_shipped
 from exactsweep.layout import Layout
-from exactsweep.numbers.error import tells_arguments
+from exactsweep.numbers.error import explain_type_errors
 
 
 class LayoutCase(NamedTuple):
@@ -37,7 +37,7 @@ class LayoutCase(NamedTuple):
         return Layout.from_json(self.data)
 
 
-@tells_arguments
+@explain_type_errors
 def layout_cases() -> Iterator[LayoutCase]:
     """Yield the shipped layouts.
 
@@ -51,7 +51,7 @@ def layout_cases() -> Iterator[LayoutCase]:
         )
 
 
-@tells_arguments
+@explain_type_errors
 def find_layout_case(id: str) -> LayoutCase:
     """Find a shipped layout by its id, or raise UnknownNameError.
 

@@ -25,7 +25,7 @@ from exactsweep.formats.exact_json import (
 from exactsweep.formats.files import open_bytes
 from exactsweep.formats.parsing import find_candidates, parse_candidates
 from exactsweep.formats.reading import Options
-from exactsweep.numbers.error import name_refusals, quote
+from exactsweep.numbers.error import prefix_errors, quote
 from exactsweep.numbers.limits import get_max_bytes
 from exactsweep.numbers.number import ORIGIN, Point, PointRings
 from exactsweep.words import suggest
@@ -99,7 +99,7 @@ def read_case(name: str) -> Case:
     """
     if name != "-" and not Path(name).exists():
         return find_case(name)
-    with name_refusals(show_path(name), FormatError):
+    with prefix_errors(show_path(name), FormatError):
         return _read_document(read_text(name), show_path(name))
 
 
@@ -115,7 +115,7 @@ def _read(
             file, path, lambda number, line: _read_document(line, f"pair-{number}")
         )
         return
-    with name_refusals(show_path(path), FormatError):
+    with prefix_errors(show_path(path), FormatError):
         text = file.read().decode() if path == "-" else read_text(path)
         if text.lstrip().startswith("{") and _is_pair(text):
             yield _read_document(text, show_path(path))
@@ -208,7 +208,7 @@ def _make_case(
 
 def _read_rings(candidate: Candidate, name: str) -> PointRings:
     """Read a polygon and its holes, with the vertices as given."""
-    with name_refusals(name, FormatError):
+    with prefix_errors(name, FormatError):
         candidate.shape()
         return [candidate.vertices(), *(hole.vertices() for hole in candidate.holes())]
 

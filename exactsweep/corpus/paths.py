@@ -9,7 +9,7 @@ from exactsweep.corpus.names import require_known
 from exactsweep.corpus.shipped import read_shipped
 from exactsweep.geometry.polyline import Polyline
 from exactsweep.geometry.region import Region
-from exactsweep.numbers.error import tells_arguments
+from exactsweep.numbers.error import explain_type_errors
 
 
 class PathCase(NamedTuple):
@@ -35,7 +35,7 @@ class PathCase(NamedTuple):
     note: str = ""
 
 
-@tells_arguments
+@explain_type_errors
 def path_cases() -> Iterator[PathCase]:
     """Yield the shipped sums with paths.
 
@@ -53,7 +53,7 @@ def path_cases() -> Iterator[PathCase]:
         yield PathCase(data["id"], data["title"], shapes[0], path, shapes[1], data, note)
 
 
-@tells_arguments
+@explain_type_errors
 def find_path_case(id: str) -> PathCase:
     """Find a shipped sum by its id, or raise UnknownNameError.
 

@@ -12,7 +12,7 @@ from exactsweep.formats import FormatError, show_path
 from exactsweep.formats.exact_json import parse_certificate
 from exactsweep.formats.files import open_bytes, split_lines
 from exactsweep.formats.size import require_size
-from exactsweep.numbers.error import ExactSweepError, name_refusals, quote
+from exactsweep.numbers.error import ExactSweepError, prefix_errors, quote
 
 _FILTERS = {"id": "prefix", "flag": "flags", "class": "kind", "size": "max_size"}
 
@@ -102,6 +102,6 @@ def read_lines(file: BinaryIO, path: str, read: Callable[[int, str], Case]) -> I
     for number, line in enumerate(split_lines(file), 1):
         if line.isspace():
             continue
-        with name_refusals(f"{show_path(path)}, line {number}", FormatError):
+        with prefix_errors(f"{show_path(path)}, line {number}", FormatError):
             require_size(len(line))
             yield read(number, line.decode("utf-8-sig").strip())

@@ -12,10 +12,10 @@ from exactsweep.corpus.case import KINDS, Case
 from exactsweep.corpus.case_json import case_from_json
 from exactsweep.corpus.generator import generate_case
 from exactsweep.corpus.names import require_known
-from exactsweep.numbers.error import tells_arguments
+from exactsweep.numbers.error import explain_type_errors
 
 
-@tells_arguments
+@explain_type_errors
 def themes() -> dict[str, str]:
     """List the themes with their titles.
 
@@ -28,7 +28,7 @@ def themes() -> dict[str, str]:
     return {name: _theme(name)["title"] for name in _names()}
 
 
-@tells_arguments
+@explain_type_errors
 def cases(
     *,
     prefix: str | Iterable[str] = "",
@@ -167,7 +167,7 @@ def read_theme(folder: Traversable, name: str) -> str:
     return lzma.decompress(folder.joinpath(f"{name}.json.xz").read_bytes()).decode("utf-8")
 
 
-@tells_arguments
+@explain_type_errors
 def find_case(id: str) -> Case:
     """Find a shipped or generated case by its id, or raise UnknownNameError.
 

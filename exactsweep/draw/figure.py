@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 from exactsweep.canvas.error import DrawError
 from exactsweep.canvas.style import use_style
-from exactsweep.numbers.error import quote, require_imports, tells_arguments
+from exactsweep.numbers.error import explain_type_errors, quote, require_imports
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -30,7 +30,7 @@ def require_matplotlib() -> None:
         import matplotlib  # noqa: F401
 
 
-@tells_arguments
+@explain_type_errors
 def make_figure(rows: int = 1, columns: int = 1, size: tuple[float, float] | None = None) -> Figure:
     """Make a Figure with empty Axes, without opening a window.
 
@@ -56,7 +56,7 @@ def make_figure(rows: int = 1, columns: int = 1, size: tuple[float, float] | Non
         return figure
 
 
-@tells_arguments
+@explain_type_errors
 def read_suffix(path: str) -> str:
     """Return the suffix of a picture file, in lower case.
 
@@ -74,7 +74,7 @@ def read_suffix(path: str) -> str:
     return suffix
 
 
-@tells_arguments
+@explain_type_errors
 def save(figure: Figure, path: str) -> None:
     """Save a figure; the suffix selects the format. Reproducible for a given matplotlib version."""
     suffix = read_suffix(path)
@@ -82,7 +82,7 @@ def save(figure: Figure, path: str) -> None:
         figure.savefig(path, format=suffix[1:], metadata=_METADATA[suffix], bbox_inches="tight")
 
 
-@tells_arguments
+@explain_type_errors
 def save_svg(figure: Figure) -> str:
     """Return a figure as an SVG document, as reproducible as with `save`."""
     text = StringIO()

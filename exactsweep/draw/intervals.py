@@ -9,7 +9,7 @@ from typing import NamedTuple
 from exactsweep.draw.features import SweepFeatures
 from exactsweep.evidence.contact import Contact
 from exactsweep.evidence.sweep import SweepAnswer
-from exactsweep.numbers.error import tells_arguments
+from exactsweep.numbers.error import explain_type_errors
 from exactsweep.numbers.number import Point
 
 
@@ -34,7 +34,7 @@ class ContactInterval(NamedTuple):
         return events.pop() if len(events) == 1 else "several"
 
 
-@tells_arguments
+@explain_type_errors
 def cut_trajectory(s: SweepAnswer) -> list[ContactInterval]:
     """Cut the trajectory of a Sweep where contacts begin or end.
 

@@ -23,7 +23,7 @@ from exactsweep.draw.sweeps import (
 )
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.geometry.region import Region
-from exactsweep.numbers.error import tells_arguments
+from exactsweep.numbers.error import explain_type_errors
 from exactsweep.numbers.number import Point
 
 if TYPE_CHECKING:
@@ -82,7 +82,7 @@ class Positions(NamedTuple):
         return list(dict.fromkeys(found))
 
 
-@tells_arguments
+@explain_type_errors
 def plot_positions(
     found: NoFitAnswer | InnerFitAnswer,
     axes: Axes | None = None,

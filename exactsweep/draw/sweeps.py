@@ -18,7 +18,7 @@ from exactsweep.geometry.point_set import is_on
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.geometry.reading import read_point
 from exactsweep.geometry.region import AnyPolygon
-from exactsweep.numbers.error import tells_arguments
+from exactsweep.numbers.error import explain_type_errors
 from exactsweep.numbers.number import Point
 
 if TYPE_CHECKING:
@@ -45,7 +45,7 @@ class Moving(Protocol):
     def reference(self) -> Point: ...
 
 
-@tells_arguments
+@explain_type_errors
 def plot_sweep(
     s: SweepAnswer,
     axes: Axes | None = None,
@@ -147,13 +147,13 @@ def trace_anchor(s: SweepAnswer) -> Polygon:
     return s.trajectory.translated(find_shift(s))
 
 
-@tells_arguments
+@explain_type_errors
 def place_generatrix(s: Moving, position: Point) -> AnyPolygon:
     """Return G with its reference point at a position."""
     return s.generatrix.translated((position.x - s.reference.x, position.y - s.reference.y))
 
 
-@tells_arguments
+@explain_type_errors
 def choose_telling_positions(s: SweepAnswer) -> list[Point]:
     """Choose up to four positions to draw, far from each other.
 
@@ -185,7 +185,7 @@ def _square(p: Point, q: Point) -> Fraction:
     return (p.x - q.x) ** 2 + (p.y - q.y) ** 2
 
 
-@tells_arguments
+@explain_type_errors
 def draw_loops(picture: Picture, s: SweepAnswer) -> None:
     """Draw the swept area, the loops and the directrix."""
     outer, inner = s.outer.vertices, s.inner.vertices
@@ -198,20 +198,20 @@ def draw_loops(picture: Picture, s: SweepAnswer) -> None:
     picture.line(outer, style.OUTER, "outer loop", closed=True)
 
 
-@tells_arguments
+@explain_type_errors
 def draw_shape(picture: Picture, shape: AnyPolygon, look: Look, label: str | None = None) -> None:
     """Draw a polygon with its holes."""
     picture.shape(shape.rings, look, label)
 
 
-@tells_arguments
+@explain_type_errors
 def draw_undercuts(picture: Picture, undercuts: Iterable[Undercut]) -> None:
     """Hatch undercuts."""
     for undercut in undercuts:
         picture.area(undercut.polygon.vertices, style.UNDERCUT, "undercut")
 
 
-@tells_arguments
+@explain_type_errors
 def draw_trajectory(picture: Picture, s: SweepAnswer) -> None:
     """Draw the path of the anchor, styled by contact event."""
     of = "trajectory" if find_anchor(s) == s.reference else f"path of {name_anchor(s)}"
@@ -230,7 +230,7 @@ def draw_trajectory(picture: Picture, s: SweepAnswer) -> None:
         picture.lines(chains["several"], style.SEVERAL_EVENTS, f"{of}, several events")
 
 
-@tells_arguments
+@explain_type_errors
 def draw_exact_fits(
     picture: Picture, s: Moving, fits: Iterable[Fit], loops: Iterable[Polygon]
 ) -> None:
@@ -267,7 +267,7 @@ def move_to_anchor(points: Iterable[Point], s: Moving) -> list[Point]:
     return [Point(p.x + dx, p.y + dy) for p in points]
 
 
-@tells_arguments
+@explain_type_errors
 def draw_generatrix(
     picture: Picture, s: Moving, positions: Iterable[Point], label: str = "generatrix G"
 ) -> None:
@@ -280,7 +280,7 @@ def draw_generatrix(
         picture.lines(dots, style.REFERENCE, name_anchor(s))
 
 
-@tells_arguments
+@explain_type_errors
 def draw_contacts(picture: Picture, s: SweepAnswer, positions: Iterable[Point]) -> None:
     """Mark the contacts of G and D at positions of the reference point."""
     draw_spots(picture, find_spots(s, positions))

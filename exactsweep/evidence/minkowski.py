@@ -18,7 +18,7 @@ from exactsweep.geometry.frame import find_shared_direction
 from exactsweep.geometry.polyline import Polyline
 from exactsweep.geometry.reading import lcm_within
 from exactsweep.geometry.region import AnyPolygon, Region, Vertices, to_region, to_shape
-from exactsweep.numbers.error import tells_arguments
+from exactsweep.numbers.error import explain_type_errors
 from exactsweep.numbers.number import Vertex, ratio
 from exactsweep.procedures.positions import find_sum, path_rings
 
@@ -71,7 +71,7 @@ class MinkowskiSum(Region):
         return claim_pair(Region(shape), Region(reflected), solve_pair(shape, reflected))
 
 
-@tells_arguments
+@explain_type_errors
 def minkowski_sum(a: Region | Vertices | Polyline, b: Region | Vertices | Polyline) -> MinkowskiSum:
     """Find the Minkowski sum of two shapes, or of a shape and a path: all sums of their points.
 

@@ -21,7 +21,7 @@ from exactsweep.geometry.intersection import (
 )
 from exactsweep.geometry.overlap import relate
 from exactsweep.geometry.region import Region, Vertices, share_lattice, to_region
-from exactsweep.numbers.error import tells_arguments
+from exactsweep.numbers.error import explain_type_errors
 from exactsweep.numbers.number import ORIGIN, Area, Edge, Point
 
 
@@ -129,7 +129,7 @@ class Overlap:
         return f"<Overlap of {len(self.a)} and {len(self.b)} vertices: {self.verdict}>"
 
 
-@tells_arguments
+@explain_type_errors
 def overlap(a: Region | Vertices, b: Region | Vertices) -> Overlap:
     """Relate two shapes in place: whether and how far they overlap, and how far apart they are.
 

@@ -27,7 +27,7 @@ from exactsweep.geometry.reading import read_point
 from exactsweep.geometry.region import AnyPolygon, Region
 from exactsweep.numbers.addition import add_up
 from exactsweep.numbers.digits import abridge
-from exactsweep.numbers.error import tells_arguments
+from exactsweep.numbers.error import explain_type_errors
 from exactsweep.numbers.number import ORIGIN, Area, Fit, Point, Vertex
 from exactsweep.procedures.any_shape import ShapeSolution
 from exactsweep.procedures.monotone import MonotoneSolution
@@ -169,7 +169,7 @@ class SweepAnswer(Certified):
         """
         return tuple(tuple(map(self._as_given, found)) for found in self._numbered_contacts)
 
-    @tells_arguments
+    @explain_type_errors
     def contacts_along(
         self, loops: Iterable[Iterable[Iterable[object]]]
     ) -> Iterator[tuple[tuple[Contact, ...], ...]]:

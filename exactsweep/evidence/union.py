@@ -10,7 +10,7 @@ from exactsweep.evidence.no_fit import RegionAnswer
 from exactsweep.geometry.canonical import PolygonError
 from exactsweep.geometry.reading import read_point
 from exactsweep.geometry.region import Region, Vertices, share_lattice, to_regions
-from exactsweep.numbers.error import tells_arguments
+from exactsweep.numbers.error import explain_type_errors
 from exactsweep.numbers.number import Point
 from exactsweep.procedures.positions import FreeRegions, find_no_fit_union
 
@@ -58,7 +58,7 @@ class NoFitUnion(RegionAnswer):
         return f"<NoFitUnion of {len(self.orbiting)} around {len(self.stationary)} shapes>"
 
 
-@tells_arguments
+@explain_type_errors
 def no_fit_union(
     stationary: Iterable[Region | Vertices],
     orbiting: Iterable[Region | Vertices],

@@ -17,7 +17,7 @@ from exactsweep.formats.decimals import read_decimal
 from exactsweep.formats.error import FormatError
 from exactsweep.formats.size import VERTEX, require_count
 from exactsweep.formats.wkt import parse_wkt
-from exactsweep.numbers.error import name_refusals, quote
+from exactsweep.numbers.error import prefix_errors, quote
 from exactsweep.numbers.number import Point
 
 _NAMES = ("name", "id", "part", "polygon")
@@ -131,7 +131,7 @@ def _read_wkt(text: str, line: int, name: str | None) -> list[Candidate]:
 
 
 def _read_box(line: int, cells: Sequence[str]) -> list[Point]:
-    with name_refusals(f"line {line}", FormatError):
+    with prefix_errors(f"line {line}", FormatError):
         x, y, width, height = (read_decimal(cell.strip()) for cell in cells)
     u, v = x + width, y + height
     return [Point(x, y), Point(u, y), Point(u, v), Point(x, v)]
@@ -145,7 +145,7 @@ def _candidate(name: str, rings: _RowsByRing) -> Candidate:
 def _vertices(cells: Sequence[tuple[int, str, str]]) -> list[Point]:
     found = []
     for line, x, y in cells:
-        with name_refusals(f"line {line}", FormatError):
+        with prefix_errors(f"line {line}", FormatError):
             found.append(Point(read_decimal(x.strip()), read_decimal(y.strip())))
     return found
 

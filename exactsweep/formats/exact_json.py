@@ -10,7 +10,7 @@ from exactsweep.formats.files import read_text, show_path
 from exactsweep.formats.size import require_text, weigh
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.numbers.digits import format_fraction
-from exactsweep.numbers.error import name_refusals, quote, tells_arguments
+from exactsweep.numbers.error import explain_type_errors, prefix_errors, quote
 from exactsweep.numbers.number import Point, to_fraction
 
 
@@ -115,11 +115,11 @@ def read_number(value: object, path: str) -> Fraction:
     """Read a number that `parse_json` kept as text."""
     if not isinstance(value, str):
         raise FormatError(f"{path} is {describe_kind(value)}, not a number")
-    with name_refusals(path, FormatError):
+    with prefix_errors(path, FormatError):
         return to_fraction(value)
 
 
-@tells_arguments
+@explain_type_errors
 def read_certificate(path: str) -> object:
     """Read a certificate for `exactsweep.check.verify` from a file, or standard input for "-".
 
@@ -137,7 +137,7 @@ def read_certificate(path: str) -> object:
         ...     verify(read_certificate(str(file))).proved
         True
     """
-    with name_refusals(show_path(path), FormatError):
+    with prefix_errors(show_path(path), FormatError):
         return parse_certificate(read_text(path))
 
 

@@ -9,7 +9,7 @@ from typing import BinaryIO
 
 from exactsweep.formats.error import FormatError
 from exactsweep.formats.size import require_size
-from exactsweep.numbers.error import ExactSweepError, quote, tells_arguments
+from exactsweep.numbers.error import ExactSweepError, explain_type_errors, quote
 from exactsweep.numbers.limits import get_max_bytes
 
 # Possessive, to match long runs of blank lines and comments in linear time.
@@ -21,7 +21,7 @@ _XML_ENCODING = re.compile(
 )
 
 
-@tells_arguments
+@explain_type_errors
 def read_text(path: str) -> str:
     """Read a whole file, or standard input for "-", without a byte order mark.
 
@@ -68,7 +68,7 @@ def decode_text(data: bytes) -> str:
         raise FormatError(f"not UTF-8 text: {error.reason} at byte {error.start}") from None
 
 
-@tells_arguments
+@explain_type_errors
 def show_path(path: str) -> str:
     """Format a path for a message, on one line; a very long one is abbreviated.
 

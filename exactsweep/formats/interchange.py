@@ -14,7 +14,7 @@ from exactsweep.formats.wkt import parse_wkt
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.geometry.region import AnyPolygon, Region
 from exactsweep.numbers.digits import abridge
-from exactsweep.numbers.error import quote, require_imports, tells_arguments
+from exactsweep.numbers.error import explain_type_errors, quote, require_imports
 from exactsweep.numbers.number import Point
 
 if TYPE_CHECKING:
@@ -29,7 +29,7 @@ class HasGeoInterface(Protocol):
     def __geo_interface__(self) -> dict[str, Any]: ...
 
 
-@tells_arguments
+@explain_type_errors
 def from_shapely(geometry: shapely.Polygon) -> AnyPolygon:
     """Convert a shapely polygon; floats keep their exact binary values.
 
@@ -57,7 +57,7 @@ def from_shapely(geometry: shapely.Polygon) -> AnyPolygon:
     return found if found.holes else found.exterior
 
 
-@tells_arguments
+@explain_type_errors
 def parts_from_shapely(geometries: Iterable[shapely.Geometry]) -> PartList[NamedRegion]:
     """Convert all polygons in shapely geometries to separate parts.
 
@@ -98,7 +98,7 @@ def _list_parts(geometries: Any, name: str | None = None) -> Iterator[tuple[str 
             yield from _list_parts(geometry, name)
 
 
-@tells_arguments
+@explain_type_errors
 def from_wkt(text: str) -> AnyPolygon:
     """Read a WKT POLYGON exactly, or a MULTIPOLYGON with one element.
 
@@ -116,7 +116,7 @@ def from_wkt(text: str) -> AnyPolygon:
     return choose(parse_wkt(text), None).shape()
 
 
-@tells_arguments
+@explain_type_errors
 def to_shapely(shape: HasGeoInterface, *, nearest: bool = False) -> shapely.Geometry:
     """Convert a shape or an answer to a shapely geometry, with floats as coordinates.
 
@@ -161,7 +161,7 @@ def _to_floats(node: Any, nearest: bool) -> Any:
     return node
 
 
-@tells_arguments
+@explain_type_errors
 def from_numpy(array: numpy.ndarray) -> Polygon:
     """Convert an array of shape (n, 2) to a polygon.
 
@@ -182,7 +182,7 @@ def from_numpy(array: numpy.ndarray) -> Polygon:
     return Polygon(array)
 
 
-@tells_arguments
+@explain_type_errors
 def to_numpy(polygon: Polygon, dtype: str = "object", *, nearest: bool = False) -> numpy.ndarray:
     """Convert the vertices to an array of shape (n, 2).
 

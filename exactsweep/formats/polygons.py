@@ -13,13 +13,13 @@ from exactsweep.formats.part_list import PartList, Said, summarize
 from exactsweep.formats.reading import Options
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.geometry.region import Region
-from exactsweep.numbers.error import name_refusals, tells_arguments
+from exactsweep.numbers.error import explain_type_errors, prefix_errors
 
 _Taken = TypeVar("_Taken")
 _OneRead = TypeVar("_OneRead")
 
 
-@tells_arguments
+@explain_type_errors
 def parse_polygon(
     text: str,
     choice: str | None = None,
@@ -51,7 +51,7 @@ def parse_polygon(
     return _read_one(choose(found, choice), Candidate.polygon, tolerance)
 
 
-@tells_arguments
+@explain_type_errors
 def parse_polygons(
     text: str, tolerance: object = None, **options: Unpack[Options]
 ) -> PartList[NamedPolygon]:
@@ -83,7 +83,7 @@ def parse_polygons(
     return parse_candidates(text, tolerance, **options).read_each(Candidate.named_polygons)
 
 
-@tells_arguments
+@explain_type_errors
 def parse_region(
     text: str,
     choice: str | None = None,
@@ -100,7 +100,7 @@ def parse_region(
     return _read_one(choose(found, choice), Candidate.region, tolerance)
 
 
-@tells_arguments
+@explain_type_errors
 def parse_regions(
     text: str, tolerance: object = None, **options: Unpack[Options]
 ) -> PartList[NamedRegion]:
@@ -117,7 +117,7 @@ def parse_regions(
     return parse_candidates(text, tolerance, **options).read_each(Candidate.named_regions)
 
 
-@tells_arguments
+@explain_type_errors
 def read_polygon(
     path: str | os.PathLike[str], tolerance: object = None, **options: Unpack[Options]
 ) -> Polygon:
@@ -137,7 +137,7 @@ def read_polygon(
     )
 
 
-@tells_arguments
+@explain_type_errors
 def read_region(
     path: str | os.PathLike[str], tolerance: object = None, **options: Unpack[Options]
 ) -> Region:
@@ -147,7 +147,7 @@ def read_region(
     )
 
 
-@tells_arguments
+@explain_type_errors
 def read_polygons(
     path: str | os.PathLike[str], tolerance: object = None, **options: Unpack[Options]
 ) -> PartList[NamedPolygon]:
@@ -160,7 +160,7 @@ def read_polygons(
     )
 
 
-@tells_arguments
+@explain_type_errors
 def read_regions(
     path: str | os.PathLike[str], tolerance: object = None, **options: Unpack[Options]
 ) -> PartList[NamedRegion]:
@@ -252,6 +252,6 @@ def split_choice(path: str | os.PathLike[str]) -> tuple[str, str | None]:
     return path[:k], path[k + 1 :]
 
 
-def name_file(file: str) -> name_refusals:
+def name_file(file: str) -> prefix_errors:
     """Prefix errors inside a `with` block with the file name."""
-    return name_refusals(show_path(file), FormatError)
+    return prefix_errors(show_path(file), FormatError)

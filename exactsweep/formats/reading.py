@@ -11,7 +11,7 @@ from typing import TypedDict, cast
 from exactsweep.formats.decimals import show_number
 from exactsweep.formats.error import FormatError
 from exactsweep.formats.size import VERTEX, require_count, require_size
-from exactsweep.numbers.error import name_refusals, quote
+from exactsweep.numbers.error import prefix_errors, quote
 from exactsweep.numbers.limits import get_max_bytes
 from exactsweep.numbers.number import to_fraction
 
@@ -194,7 +194,7 @@ def read_positive(value: object, name: str) -> Fraction | None:
     """Read a positive number from the caller; None stays None."""
     if value is None:
         return None
-    with name_refusals(name, FormatError):
+    with prefix_errors(name, FormatError):
         number = to_fraction(value)
     if number <= 0:
         raise FormatError(f"{name}, {show_number(number)}, is not positive")

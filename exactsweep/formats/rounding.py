@@ -36,7 +36,7 @@ from exactsweep.geometry.distance import measure_to_edge
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.geometry.region import Region, share_lattice
 from exactsweep.geometry.vectors import cross, find_hull, minus, orientation
-from exactsweep.numbers.error import quote, tells_arguments
+from exactsweep.numbers.error import explain_type_errors, quote
 from exactsweep.numbers.number import Edge, Fit, Point, Rational, Vertex
 
 Side = Literal["closest", "outward", "inward"]
@@ -84,7 +84,7 @@ class Changes(NamedTuple):
     left_out: int
 
 
-@tells_arguments
+@explain_type_errors
 def round_regions(
     regions: Iterable[NamedRegion], places: int, side_of: Callable[[NamedRegion], Side]
 ) -> tuple[list[NamedRegion], Changes]:
@@ -124,7 +124,7 @@ def round_fits(fits: Sequence[Fit], rounding: Rounding) -> tuple[list[Fit], int]
     return (kept if outward else moved), len(fits) - len(kept)
 
 
-@tells_arguments
+@explain_type_errors
 def round_region(region: Region, places: int, side: Side = "closest") -> Rounded:
     """Round a region to decimals.
 

@@ -15,13 +15,13 @@ from exactsweep.formats.part_list import Coordinates
 from exactsweep.formats.reading import INSUNITS, UNITS
 from exactsweep.geometry.region import AnyPolygon, Region
 from exactsweep.numbers.digits import find_magnitude
-from exactsweep.numbers.error import quote, tells_arguments
+from exactsweep.numbers.error import explain_type_errors, quote
 from exactsweep.numbers.number import Fit, Point
 
 _Decimals = list[tuple[str, str]]
 
 
-@tells_arguments
+@explain_type_errors
 def format_polygons(
     polygons: Iterable[AnyPolygon | NamedPolygon | NamedRegion],
     form: str,

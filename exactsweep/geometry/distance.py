@@ -20,7 +20,7 @@ from typing import NamedTuple
 from exactsweep.geometry.edges import Rings, is_inside
 from exactsweep.geometry.region import Region, Vertices, share_lattice, to_region
 from exactsweep.geometry.vectors import intersect
-from exactsweep.numbers.error import tells_arguments
+from exactsweep.numbers.error import explain_type_errors
 from exactsweep.numbers.number import Edge, Point, Rational, Vertex
 
 _EdgeBox = tuple[Rational, Rational, Rational, Rational]
@@ -34,7 +34,7 @@ class SquaredDistance(NamedTuple):
     points: tuple[Point, Point]
 
 
-@tells_arguments
+@explain_type_errors
 def distance_squared(a: Region | Vertices, b: Region | Vertices) -> SquaredDistance:
     """Find the squared distance between two shapes as closed sets, and two nearest points.
 

@@ -20,8 +20,8 @@ from exactsweep.geometry.vectors import is_on_segment
 from exactsweep.numbers.error import (
     ExactSweepError,
     NumberError,
+    explain_type_errors,
     require_imports,
-    tells_arguments,
 )
 from exactsweep.numbers.number import Point
 from exactsweep.words import write_pair, write_size
@@ -103,7 +103,7 @@ class PointSet:
         count = "vertices", str(len(self.vertices))
         return add_table(self._repr_svg_(), [count, *self._facts(), ("from", low), ("to", high)])
 
-    @tells_arguments
+    @explain_type_errors
     def plot(self, axes: Axes | None = None, **style: Any) -> Axes:
         """Draw the shape with matplotlib, filled, with equal units on both axes.
 
@@ -148,7 +148,7 @@ class PointSet:
         """
         return self._image(AffineMap(_ONE, _ZERO, _ZERO, _ONE, *read_point(by, "translation")))
 
-    @tells_arguments
+    @explain_type_errors
     def rotated(
         self, by: object, center: Iterable[object] = (0, 0), *, bits: int = TURN_BITS
     ) -> Self:

@@ -11,7 +11,7 @@ from typing import Any, cast
 from warnings import warn
 
 from exactsweep.geometry.canonical import PolygonError
-from exactsweep.numbers.error import NumberError, name_refusals, quote
+from exactsweep.numbers.error import NumberError, prefix_errors, quote
 from exactsweep.numbers.number import Point, Vertex, to_fraction
 
 _LATTICE_BITS = 8192
@@ -39,7 +39,7 @@ def read_point(pair: Iterable[object], name: str) -> Point:
         x, y = pair
     except (TypeError, ValueError):
         raise PolygonError(f"{name} is {quote(pair)}, not a pair of numbers") from None
-    with name_refusals(name):
+    with prefix_errors(name):
         return Point(to_fraction(x), to_fraction(y))
 
 

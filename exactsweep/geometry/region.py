@@ -18,7 +18,7 @@ from exactsweep.geometry.reading import lcm_within, read_interface, refuse_numbe
 from exactsweep.geometry.vectors import touch
 from exactsweep.numbers.addition import add_up
 from exactsweep.numbers.digits import abridge
-from exactsweep.numbers.error import name_refusals
+from exactsweep.numbers.error import prefix_errors
 from exactsweep.numbers.number import Area, Point, Rational, Vertex, ratio
 from exactsweep.words import write_pair
 
@@ -207,7 +207,7 @@ def to_shape(shape: Region | Vertices, name: str) -> AnyPolygon:
         return shape if shape.holes else shape.exterior
     if isinstance(shape, Polygon):
         return shape
-    with name_refusals(name):
+    with prefix_errors(name):
         exterior, *holes = read_interface(shape) or [shape]
         # A single ring needs no name of its own.
         return Region(exterior, holes) if holes else Polygon(exterior)
@@ -262,7 +262,7 @@ def share_lattice(regions: Sequence[Region]) -> tuple[int, list[list[list[Vertex
 
 
 def _read_named(ring: Vertices, name: str) -> Polygon:
-    with name_refusals(name):
+    with prefix_errors(name):
         return Polygon(ring)
 
 

@@ -30,7 +30,7 @@ from exactsweep.layout.rounded import bound_area
 from exactsweep.layout.verdict import PairVerdict, judge_pair
 from exactsweep.numbers.addition import add_up
 from exactsweep.numbers.digits import abridge
-from exactsweep.numbers.error import tells_arguments
+from exactsweep.numbers.error import explain_type_errors
 from exactsweep.numbers.number import Point
 from exactsweep.words import count
 
@@ -142,7 +142,7 @@ class Judgement:
         )
 
 
-@tells_arguments
+@explain_type_errors
 def judge_layout(layout: Layout) -> Judgement:
     """Judge a layout exactly.
 

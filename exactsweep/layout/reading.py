@@ -10,7 +10,7 @@ from exactsweep.geometry.reading import read_point
 from exactsweep.geometry.turn import Turn
 from exactsweep.geometry.turn import read_turn as make_turn
 from exactsweep.numbers.digits import abridge
-from exactsweep.numbers.error import ExactSweepError, NumberError, name_refusals, quote
+from exactsweep.numbers.error import ExactSweepError, NumberError, prefix_errors, quote
 from exactsweep.numbers.number import Loop, Point, to_fraction
 
 _Value = TypeVar("_Value")
@@ -65,7 +65,7 @@ def read_vertex(data: object, path: str) -> Point:
 def read_number(data: object, path: str) -> Fraction:
     """Read a number, like `to_fraction`."""
     try:
-        with name_refusals(path):
+        with prefix_errors(path):
             return to_fraction(data)
     except NumberError as error:
         raise LayoutError(str(error)) from None

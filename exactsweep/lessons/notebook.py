@@ -11,7 +11,7 @@ from pathlib import Path
 from typing import Any
 
 from exactsweep.draw import save_svg
-from exactsweep.numbers.error import ExactSweepError, quote, tells_arguments
+from exactsweep.numbers.error import ExactSweepError, explain_type_errors, quote
 from exactsweep.words import suggest
 
 Notebook = dict[str, Any]
@@ -24,7 +24,7 @@ _NAMES = ("gallery", "tour", "sweeps", "paper", "judging", "layouts")
 _MOST_STORED = 60_000
 
 
-@tells_arguments
+@explain_type_errors
 def list_titles() -> dict[str, str]:
     """Return the titles of the lessons by name.
 
@@ -35,7 +35,7 @@ def list_titles() -> dict[str, str]:
     return {name: _source(read_notebook(name)["cells"][0]).split("\n")[0][2:] for name in _NAMES}
 
 
-@tells_arguments
+@explain_type_errors
 def read_notebook(name: str) -> Notebook:
     """Return a lesson, one of `list_titles`, as a notebook document.
 
@@ -55,7 +55,7 @@ def write_notebook(path: Path, notebook: Notebook) -> None:
     path.write_text(f"{text}\n", encoding="utf-8", newline="\n")
 
 
-@tells_arguments
+@explain_type_errors
 def run_notebook(notebook: Notebook) -> Notebook:
     """Run the cells of a notebook in order, like Jupyter.
 

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from exactsweep.lessons.notebook import read_notebook
-from exactsweep.numbers.error import tells_arguments
+from exactsweep.numbers.error import explain_type_errors
 
 _KINDS = ("text/html", "image/svg+xml", "text/plain")
 
 
-@tells_arguments
+@explain_type_errors
 def render_lesson(name: str) -> str:
     """Render a lesson, one of `list_titles`, as an HTML page, without running it.
 

@@ -1,6 +1,6 @@
 """Errors: base classes, names of rejected inputs, arguments of a wrong type.
 
-The decorator `tells_arguments` compares arguments with the annotations only after a function has
+The decorator `explain_type_errors` compares arguments with their annotations only after a call has
 failed. So successful calls cost nothing, and may pass tuples or arrays for lists.
 """
 
@@ -55,43 +55,43 @@ def quote(value: object) -> str:
     return text if len(text) <= _ECHO else f"{text[: _ECHO - 3]}..."
 
 
-class name_refusals:  # noqa: N801
+class prefix_errors:  # noqa: N801
     """Put a name in front of the message of an error inside a `with` block.
 
-    With a type `refusal`, any ValueError becomes an error of that type; otherwise an
+    With `error_type`, any ValueError becomes an error of that type; without it, an
     ExactSweepError keeps its type, and other errors pass.
     """
 
-    def __init__(self, name: str, refusal: type[ExactSweepError] | None = None) -> None:
-        self.name, self.refusal = name, refusal
+    def __init__(self, name: str, error_type: type[ExactSweepError] | None = None) -> None:
+        self.name, self.error_type = name, error_type
 
     def __enter__(self) -> None:
         pass
 
     def __exit__(self, kind: object, error: BaseException | None, trace: object) -> None:
-        if isinstance(error, ValueError if self.refusal else ExactSweepError):
-            raise (self.refusal or type(error))(f"{self.name}: {error}") from None
+        if isinstance(error, ValueError if self.error_type else ExactSweepError):
+            raise (self.error_type or type(error))(f"{self.name}: {error}") from None
 
 
 @contextmanager
-def require_imports(package: str, what: str, refusal: type[ExactSweepError]) -> Iterator[None]:
+def require_imports(package: str, what: str, error_type: type[ExactSweepError]) -> Iterator[None]:
     """Raise an error that names the package to install if an import in the `with` block fails."""
     try:
         yield
     except ModuleNotFoundError:
-        raise refusal(f"{what} needs {package}: pip install {package}") from None
+        raise error_type(f"{what} needs {package}: pip install {package}") from None
     except ImportError as error:  # a library that the package needs, or too little memory
-        said = " ".join(str(error).split())
-        raise refusal(f"{what} needs {package}, which cannot be loaded: {said}") from None
+        reason = " ".join(str(error).split())
+        raise error_type(f"{what} needs {package}, which cannot be loaded: {reason}") from None
 
 
-def tells_arguments(function: Callable[_Accepted, _Returned]) -> Callable[_Accepted, _Returned]:
+def explain_type_errors(function: Callable[_Accepted, _Returned]) -> Callable[_Accepted, _Returned]:
     """Decorate a function so that a failure caused by an argument of a wrong type names it.
 
     If an argument does not match its annotation, ArgumentError replaces TypeError and similar
     errors. Other errors are unchanged.
 
-    >>> @tells_arguments
+    >>> @explain_type_errors
     ... def double(number: int) -> int:
     ...     return number.__index__() * 2
     >>> double("a")
@@ -100,7 +100,7 @@ def tells_arguments(function: Callable[_Accepted, _Returned]) -> Callable[_Accep
     """
 
     @wraps(function)
-    def telling(*arguments: _Accepted.args, **named: _Accepted.kwargs) -> _Returned:
+    def wrapper(*arguments: _Accepted.args, **named: _Accepted.kwargs) -> _Returned:
         try:
             return function(*arguments, **named)
         except ExactSweepError:
@@ -112,7 +112,7 @@ def tells_arguments(function: Callable[_Accepted, _Returned]) -> Callable[_Accep
                 raise
         raise ArgumentError(fault)
 
-    return telling
+    return wrapper
 
 
 def _find_fault(

@@ -22,7 +22,7 @@ from typing import Any, NamedTuple
 
 from exactsweep.geometry.canonical import canonicalize_ring
 from exactsweep.geometry.polygon import Polygon
-from exactsweep.numbers.error import ExactSweepError, tells_arguments
+from exactsweep.numbers.error import ExactSweepError, explain_type_errors
 from exactsweep.numbers.number import (
     Edge,
     Fit,
@@ -49,7 +49,7 @@ class ReferenceLoops(NamedTuple):
     outer: tuple[Point, ...]
 
 
-@tells_arguments
+@explain_type_errors
 def reference_loops(
     generatrix: Any, directrix: Any, direction: tuple[Any, Any] = (1, 0)
 ) -> ReferenceLoops:
@@ -77,7 +77,7 @@ def reference_loops(
     return ReferenceLoops(*(frame.loop(bottom, top) for bottom, top in halves))
 
 
-@tells_arguments
+@explain_type_errors
 def reference_exact_fits(
     generatrix: Any, directrix: Any, direction: tuple[Any, Any] = (1, 0)
 ) -> tuple[Fit, ...]:

@@ -12,7 +12,7 @@ from importlib.resources import files
 from typing import TYPE_CHECKING
 
 from exactsweep.canvas.style import write_style_sheet
-from exactsweep.numbers.error import tells_arguments
+from exactsweep.numbers.error import explain_type_errors
 
 if TYPE_CHECKING:
     from exactsweep.evidence.no_fit import InnerFitAnswer, NoFitAnswer
@@ -30,7 +30,7 @@ _SCRIPTS = tuple(
 _FIELD = re.compile(r"\{\{(\w+)\}\}")
 
 
-@tells_arguments
+@explain_type_errors
 def make_page(
     s: SweepAnswer | NoFitAnswer | InnerFitAnswer,
     *,

@@ -9,7 +9,7 @@ from exactsweep import ExactSweepError
 from exactsweep.conform import shrink
 from exactsweep.corpus import find_case
 from exactsweep.formats import format_polygons, read_polygon, read_text
-from exactsweep.numbers.error import ArgumentError, tells_arguments
+from exactsweep.numbers.error import ArgumentError, explain_type_errors
 
 
 def test_errors_name_the_argument_and_its_type() -> None:
@@ -22,7 +22,7 @@ def test_errors_name_the_argument_and_its_type() -> None:
 def test_faults_of_the_program_are_not_those_of_its_caller() -> None:
     """Errors on arguments of the right type are unchanged."""
 
-    @tells_arguments
+    @explain_type_errors
     def fail(number: int, names: list[str], *, other: "Path | None" = None) -> None:
         raise TypeError("a fault")
 

@@ -8,7 +8,7 @@ from typing import Any, Literal, NewType, Optional, Protocol, TypeVar, Union
 
 import pytest
 
-from exactsweep.numbers.error import ArgumentError, ExactSweepError, tells_arguments
+from exactsweep.numbers.error import ArgumentError, ExactSweepError, explain_type_errors
 
 T = TypeVar("T")
 Metres = NewType("Metres", int)
@@ -56,7 +56,7 @@ def tell(value: object, hint: object) -> str | None:
 
     fail.__annotations__ = {"argument": hint}
     try:
-        tells_arguments(fail)(value)
+        explain_type_errors(fail)(value)
     except ArgumentError as error:
         return str(error)
     except OwnError:
@@ -122,7 +122,7 @@ def test_only_the_first_items_are_examined() -> None:
 
 
 def test_the_first_of_several_is_reported() -> None:
-    @tells_arguments
+    @explain_type_errors
     def join(first: int, *many: int, last: int = 0, **named: int) -> int:
         return first.bit_length() + sum(many) + last + sum(named.values())
 
@@ -137,7 +137,7 @@ def test_the_first_of_several_is_reported() -> None:
 
 
 def test_refusals_are_unchanged() -> None:
-    @tells_arguments
+    @explain_type_errors
     def refuse(argument: int) -> None:
         raise ExactSweepError(f"no {argument}")
 

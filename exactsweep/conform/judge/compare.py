@@ -54,7 +54,7 @@ from exactsweep.geometry.near import find_near
 from exactsweep.geometry.overlap import Relation, contains, relate
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.geometry.region import common_lattice
-from exactsweep.numbers.error import quote, tells_arguments
+from exactsweep.numbers.error import explain_type_errors, quote
 from exactsweep.numbers.number import Fit, Loop
 
 MOST_MEASURED = 3000
@@ -66,7 +66,7 @@ JudgedLoop = tuple[PartComparison, Sequence[Fit]]
 """A comparison, and the exact fits that the rings trace."""
 
 
-@tells_arguments
+@explain_type_errors
 def compare(
     case: Case,
     result: object,

@@ -16,7 +16,7 @@ from exactsweep.formats import FormatError
 from exactsweep.formats.exact_json import describe_kind, parse_certificate
 from exactsweep.geometry.point_set import PointSet
 from exactsweep.numbers.digits import format_fraction
-from exactsweep.numbers.error import ExactSweepError, name_refusals, quote
+from exactsweep.numbers.error import ExactSweepError, prefix_errors, quote
 from exactsweep.numbers.number import ORIGIN, Loop, Point
 from exactsweep.words import suggest
 
@@ -125,7 +125,7 @@ def read_hello(line: str) -> Hello:
         Traceback (most recent call last):
         exactsweep.conform.run.protocol.ProtocolError: the hello has no "reference"
     """
-    with name_refusals("the first line is not a hello"):
+    with prefix_errors("the first line is not a hello"):
         found = read_object(line)
         if "hello" not in found:
             raise ProtocolError('it has no "hello"')

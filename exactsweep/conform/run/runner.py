@@ -14,7 +14,7 @@ from exactsweep.conform.run.run import Run
 from exactsweep.conform.run.tally import ACCEPTED
 from exactsweep.corpus import Case
 from exactsweep.corpus.selection import require_distinct
-from exactsweep.numbers.error import tells_arguments
+from exactsweep.numbers.error import explain_type_errors
 
 TO_MAKE_SMALLER = 20.0
 """Time limit for shrinking one failure, in seconds."""
@@ -68,7 +68,7 @@ def _share_time(failures: Sequence[Outcome]) -> float:
     return min(TO_MAKE_SMALLER, MOST_TO_MAKE_SMALLER / max(1, len(failures)))
 
 
-@tells_arguments
+@explain_type_errors
 def conform(
     function: Function,
     cases: Iterable[Case],

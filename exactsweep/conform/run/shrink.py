@@ -17,7 +17,7 @@ from typing import NamedTuple
 from exactsweep.conform.judge.verdict import Verdict
 from exactsweep.corpus import Case
 from exactsweep.geometry.polygon import Polygon
-from exactsweep.numbers.error import ExactSweepError, tells_arguments
+from exactsweep.numbers.error import ExactSweepError, explain_type_errors
 from exactsweep.numbers.number import ORIGIN, Loop
 
 
@@ -64,7 +64,7 @@ class _GivenPair(NamedTuple):
         return self.map(lambda c: c - x, "x", which).map(lambda c: c - y, "y", which)
 
 
-@tells_arguments
+@explain_type_errors
 def shrink(
     case: Case, judge: Callable[[Case], str], *, tries: int = 1000, seconds: float = 60.0
 ) -> Case:

@@ -13,7 +13,7 @@ from exactsweep.corpus.generator import any_shape, large, numeric, plain
 from exactsweep.corpus.generator.prng import Prng
 from exactsweep.corpus.names import UnknownNameError, require_known
 from exactsweep.geometry.polygon import Polygon
-from exactsweep.numbers.error import ExactSweepError, quote, tells_arguments
+from exactsweep.numbers.error import ExactSweepError, explain_type_errors, quote
 
 _ID = re.compile(r"gen-([a-z0-9-]+)-(0|[1-9][0-9]{0,17})-(0|[1-9][0-9]{0,17})")
 
@@ -80,7 +80,7 @@ def _list_families() -> Iterator[Family]:
 FAMILIES: dict[str, Family] = {family.name: family for family in _list_families()}
 
 
-@tells_arguments
+@explain_type_errors
 def generate(family: str, seed: int, count: int | None = None) -> Iterator[Case]:
     """Yield the cases of a family.
 

@@ -13,7 +13,7 @@ from exactsweep.formats.decimals import read_decimal
 from exactsweep.formats.error import FormatError
 from exactsweep.formats.reading import INSUNITS, Reading
 from exactsweep.formats.size import ENTITY, require_count, require_size
-from exactsweep.numbers.error import name_refusals, quote
+from exactsweep.numbers.error import prefix_errors, quote
 from exactsweep.numbers.number import Point
 
 _LAYER, _FLAGS, _PAPER, _NAME, _INVISIBLE, _COLOR, _PLOT = 8, 70, 67, 2, 60, 62, 290
@@ -61,7 +61,7 @@ class Entity:
     def number(self, code: int, default: str | None = None) -> Fraction:
         """Return the number with a group code, or the default."""
         text = self._text(code, default)
-        with name_refusals(f"group {code}", FormatError):
+        with prefix_errors(f"group {code}", FormatError):
             return read_decimal(text)
 
     def point(self, code: int) -> Point:
@@ -123,7 +123,7 @@ class Entity:
         """Return the vertices and bulges of a POLYLINE."""
         points, bulges, heights = [], [], []
         for vertex in self.vertices:
-            with name_refusals(vertex.place):
+            with prefix_errors(vertex.place):
                 # The control frame of a fitted curve is not drawn.
                 if not vertex.flags() & _FRAME:
                     points.append(vertex.point(10))
@@ -265,5 +265,5 @@ def _unit(sections: Mapping[str, Sequence[Entity]]) -> Fraction | None:
 
 
 def _read_group(code: int, texts: Sequence[str]) -> list[Fraction]:
-    with name_refusals(f"group {code}", FormatError):
+    with prefix_errors(f"group {code}", FormatError):
         return [read_decimal(text.strip()) for text in texts]

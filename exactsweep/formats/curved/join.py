@@ -19,7 +19,7 @@ from exactsweep.formats.decimals import show_point
 from exactsweep.formats.error import FormatError
 from exactsweep.formats.reading import Reading
 from exactsweep.formats.rounded import find_rounded
-from exactsweep.numbers.error import name_refusals
+from exactsweep.numbers.error import prefix_errors
 from exactsweep.numbers.number import Point
 from exactsweep.words import count
 
@@ -296,7 +296,7 @@ def draw_outline(path: Path, shape: Candidate, reading: Reading) -> Candidate:
     """Return a shape with the outline of a closed path; its fill rule applies if not simple."""
 
     def read_vertices() -> list[Point]:
-        with name_refusals(shape.place):
+        with prefix_errors(shape.place):
             return path.flatten(reading)
 
     def find_finer(tolerance: Fraction) -> Candidate:

@@ -15,7 +15,7 @@ from exactsweep.formats.decimals import read_decimal, read_decimals
 from exactsweep.formats.error import FormatError
 from exactsweep.formats.filling import Rule
 from exactsweep.formats.reading import UNITS, Reading
-from exactsweep.numbers.error import name_refusals, quote
+from exactsweep.numbers.error import prefix_errors, quote
 
 if TYPE_CHECKING:
     from xml.etree.ElementTree import Element
@@ -89,7 +89,7 @@ class PlacedElement:
     def matrix(self) -> Affine:
         """The map from element coordinates to drawing coordinates."""
         outer = IDENTITY if self.parent is None else self.parent.matrix
-        with name_refusals(self.place, FormatError):
+        with prefix_errors(self.place, FormatError):
             product = compose(outer, read_transform(self.transform))
             if self.parent is None:
                 return compose(make_scaling(self.unit, self.unit), product)
@@ -125,7 +125,7 @@ class PlacedElement:
         if self.parent and self.styled.get(name):
             raise FormatError(f"{name} in a style is not supported")
         number, unit = _split(text.strip())
-        with name_refusals(name, FormatError):
+        with prefix_errors(name, FormatError):
             return read_decimal(number) * (self._whole(name) / 100 if unit == "%" else _PX[unit])
 
     def _whole(self, name: str) -> Fraction:

@@ -11,7 +11,7 @@ from exactsweep.formats.curved.xml import parse_xml
 from exactsweep.formats.error import FormatError
 from exactsweep.formats.reading import Reading
 from exactsweep.geometry.polyline import Polyline
-from exactsweep.numbers.error import name_refusals
+from exactsweep.numbers.error import prefix_errors
 
 
 def read_svg_path(text: str, reading: Reading, *, filled: bool = False) -> Polyline | None:
@@ -34,7 +34,7 @@ def read_svg_path(text: str, reading: Reading, *, filled: bool = False) -> Polyl
     shapes = [*islice(Document(root, reading).shapes(placed, 0), 2)]
     if len(shapes) != 1 or (is_filled(shapes[0]) and not filled):
         return None
-    with name_refusals(shapes[0].place, FormatError):
+    with prefix_errors(shapes[0].place, FormatError):
         found = SHAPES[name_kind(shapes[0].element)](shapes[0], shapes[0].matrix, reading)
         if len(found) != 1 or (found[0].is_closed and not filled):
             return None

@@ -27,7 +27,7 @@ from exactsweep.formats.error import FormatError
 from exactsweep.formats.layouts.found import FilledSheet, NestingInstance, write_rings
 from exactsweep.formats.node import Data
 from exactsweep.numbers.digits import format_fraction
-from exactsweep.numbers.error import name_refusals, quote
+from exactsweep.numbers.error import prefix_errors, quote
 
 if TYPE_CHECKING:
     from exactsweep.formats.reading import Reading
@@ -87,7 +87,7 @@ class _NestDrawing:
     def motion(self, element: Element) -> Data:
         """Read the translation and the rotation of a part."""
         placed = self.placed[element]
-        with name_refusals(placed.place, FormatError):
+        with prefix_errors(placed.place, FormatError):
             match = _MOTION.fullmatch(placed.transform)
         if match is None or not element.attrib.keys().isdisjoint("xy"):
             raise FormatError(f"{placed.place}: not a translation and a rotation")

@@ -30,7 +30,7 @@ from exactsweep.formats.reading import Options, Reading
 from exactsweep.geometry.canonical import PolygonError
 from exactsweep.geometry.region import Region
 from exactsweep.numbers.digits import format_fraction
-from exactsweep.numbers.error import quote, tells_arguments
+from exactsweep.numbers.error import explain_type_errors, quote
 from exactsweep.numbers.number import to_fraction
 
 _Container = str | Literal[False] | None
@@ -48,7 +48,7 @@ class LayoutOptions(Options, total=False):
     tolerance: object
 
 
-@tells_arguments
+@explain_type_errors
 def read_layout(path: str, **options: Unpack[LayoutOptions]) -> dict[str, Any]:
     """Read a file with a single layout, like `read_layouts`; return Layout JSON.
 
@@ -61,7 +61,7 @@ def read_layout(path: str, **options: Unpack[LayoutOptions]) -> dict[str, Any]:
     return found[0].data
 
 
-@tells_arguments
+@explain_type_errors
 def parse_layouts(text: str, **options: Unpack[LayoutOptions]) -> list[FoundLayout]:
     """Read the layouts in a string, like `read_layouts`; the instance is also a string.
 
@@ -79,7 +79,7 @@ def parse_layouts(text: str, **options: Unpack[LayoutOptions]) -> list[FoundLayo
     return _parse_each(text, known, container, reading)
 
 
-@tells_arguments
+@explain_type_errors
 def read_layouts(path: str, **options: Unpack[LayoutOptions]) -> list[FoundLayout]:
     """Read the layouts in a file, or in standard input.
 

@@ -29,7 +29,7 @@ from exactsweep.formats.node import Data, JsonNode
 from exactsweep.formats.polygons import name_file, split_choice
 from exactsweep.formats.reading import Reading
 from exactsweep.numbers.digits import format_fraction
-from exactsweep.numbers.error import name_refusals, quote
+from exactsweep.numbers.error import prefix_errors, quote
 from exactsweep.words import count
 
 # With one of these columns, x and y are positions.
@@ -49,7 +49,7 @@ class _Row(NamedTuple):
     def read(self, meaning: str) -> Fraction:
         """Read a number, ignoring leading letters."""
         text = _PREFIX.sub("", self.cells[meaning].strip(), count=1).replace(self.point, ".")
-        with name_refusals(f"{self.place}: {meaning}", FormatError):
+        with prefix_errors(f"{self.place}: {meaning}", FormatError):
             return read_decimal(text)
 
 
