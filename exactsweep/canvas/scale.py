@@ -4,8 +4,6 @@ Coordinates are shifted and divided as Fractions before they become floats. So c
 10^30, or shapes that differ in the last of 500 digits, are drawn as accurately as small integers.
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterable
 from fractions import Fraction
 from math import ceil, floor

@@ -6,8 +6,6 @@ and areas also differ in width, dashes, hatching or markers, for black-and-white
 of numbered items are those of Okabe and Ito.
 """
 
-from __future__ import annotations
-
 import tomllib
 from contextlib import AbstractContextManager
 from dataclasses import dataclass

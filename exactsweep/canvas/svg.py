@@ -3,8 +3,6 @@
 Coordinates are scaled exactly, then rounded to a hundredth of a pixel.
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterable, Sequence
 from html import escape
 from itertools import chain

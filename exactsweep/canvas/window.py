@@ -1,7 +1,5 @@
 """A rectangle of the plane, and the conversion of exact coordinates to pixels."""
 
-from __future__ import annotations
-
 from collections.abc import Iterable
 from fractions import Fraction
 from typing import NamedTuple, Self

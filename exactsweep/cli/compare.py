@@ -1,7 +1,5 @@
 """The command `exactsweep compare`."""
 
-from __future__ import annotations
-
 import json
 import sys
 from fractions import Fraction

@@ -1,7 +1,5 @@
 """Shell completion of the names of cases, flags, families, claims and verdicts."""
 
-from __future__ import annotations
-
 import os
 from collections.abc import Callable, Iterable
 from pkgutil import resolve_name

@@ -1,7 +1,5 @@
 """The command `exactsweep conform`."""
 
-from __future__ import annotations
-
 import signal
 import sys
 from collections.abc import Iterator

@@ -1,7 +1,5 @@
 """The command `exactsweep example`."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import click

@@ -1,7 +1,5 @@
 """The command `exactsweep judge`."""
 
-from __future__ import annotations
-
 from itertools import chain
 
 import click

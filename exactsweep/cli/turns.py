@@ -1,7 +1,5 @@
 """Rotations and mirrored copies of a part: --turns and --mirrored."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from fractions import Fraction
 from typing import NamedTuple

@@ -1,7 +1,5 @@
 """Pictures of chains, sub-trajectories and envelopes."""
 
-from __future__ import annotations
-
 from collections.abc import Iterable, Mapping
 
 from exactsweep.canvas import style

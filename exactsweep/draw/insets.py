@@ -1,7 +1,5 @@
 """Enlarged details below a picture, for tiny polygons and flat pictures."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Iterable, Sequence
 from fractions import Fraction
 from string import ascii_lowercase
@@ -40,7 +38,7 @@ class Detail(NamedTuple):
         left, bottom, side = self
         return Point(left, bottom), Point(left + side, bottom + side)
 
-    def is_near(self, other: Detail) -> bool:
+    def is_near(self, other: Self) -> bool:
         """Decide whether two details mostly overlap."""
         reach = self.side / 2
         return abs(self.left - other.left) < reach and abs(self.bottom - other.bottom) < reach

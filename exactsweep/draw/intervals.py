@@ -1,7 +1,5 @@
 """Intervals of constant contact along loops of positions."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator, Sequence
 from itertools import pairwise
 from typing import NamedTuple

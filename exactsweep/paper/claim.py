@@ -4,8 +4,6 @@ A check looks for counterexamples to the printed statement and to the corrected 
 the corrected statement has a counterexample, or if the printed one has none despite its verdict.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass, field
 from enum import Enum

@@ -7,8 +7,6 @@ a common direction, one lies beyond a side of the other. Where rings touch, a ve
 angles, and such positions are returned as points, since they need not be on any segment.
 """
 
-from __future__ import annotations
-
 from bisect import bisect_left, bisect_right
 from collections.abc import Iterator
 from itertools import chain, product

@@ -5,11 +5,10 @@ runs only. Each bound is tested with both sizes doubled and with only m or n dou
 an m² term would pass for mn.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass
 from itertools import product
+from pkgutil import resolve_name
 from typing import Any
 
 from exactsweep.corpus.generator import growing
@@ -170,3 +169,20 @@ def measure_costs(row: str, effort: Effort) -> Iterator[Observation]:
         if cost.row == row:
             yield from cost.compare()
             yield from cost.measure(effort)
+
+
+def count_all(row: str, effort: Effort) -> Iterator[Growth]:
+    """Count everything that counts.toml lists for a row of the ledger."""
+    for group in read_toml("counts.toml")["count"]:
+        for series in group.pop("series") if group.pop("row") == row else ():
+            read = group | series
+            (a, b), (c, d) = read.pop("m", (1, 0)), read.pop("n", (1, 0))
+            sizes = [(a * k + b, c * k + d) for k, _ in effort.sizes(*read.pop("sizes", ()))]
+            name, bound = read.pop("count"), read.pop("bound")
+            read["count"] = (
+                count_by("vertices", RUNS[name])
+                if name in RUNS
+                else resolve_name(f"{__package__}.checks.{name}")
+            )
+            read["family"] = getattr(growing, read["family"])
+            yield grow(bound=BOUNDS.get(bound, bound), sizes=sizes, **read)

@@ -4,15 +4,13 @@ The kernel accepts any exact rationals, so it runs on these unchanged. The count
 the machine.
 """
 
-from __future__ import annotations
-
 import gc
 import tracemalloc
 from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
 from time import process_time
-from typing import Any, Protocol
+from typing import Any, Protocol, Self
 
 from exactsweep.corpus.generator.shapes import Ring
 from exactsweep.numbers.number import Vertex
@@ -48,12 +46,12 @@ class Counted(int):
 
     # Fraction uses these two, so its results are counted ints as well.
     @property
-    def numerator(self) -> Counted:
+    def numerator(self) -> Self:
         return self
 
     @property
-    def denominator(self) -> Counted:  # type: ignore[override]
-        return Counted(1)
+    def denominator(self) -> Self:  # type: ignore[override]
+        return type(self)(1)
 
 
 def _count_as(kind: str, make: Callable[[Any], Any], name: str) -> Callable[..., Any]:

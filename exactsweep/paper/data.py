@@ -4,8 +4,6 @@
 `exactsweep sweep lemma-5-3.json#G lemma-5-3.json#D`.
 """
 
-from __future__ import annotations
-
 import csv
 import json
 import platform

@@ -11,8 +11,6 @@ G as functions of x. Then the lower halves of the three loops are
 mirror images. This module evaluates them on every open interval between sums of breakpoints.
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterable, Iterator
 from fractions import Fraction
 from functools import lru_cache

@@ -1,7 +1,5 @@
 """Chains as functions of x, and comparisons with the definition."""
 
-from __future__ import annotations
-
 from bisect import bisect_left
 from collections.abc import Iterable, Iterator, Sequence
 from fractions import Fraction

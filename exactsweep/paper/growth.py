@@ -4,13 +4,12 @@ A bound on a count is confirmed if the ratio of count and bound stays flat or fa
 it keeps rising. Times and bytes vary between runs, so their bounds are compared by exponents.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from math import log, log2
 from operator import attrgetter
 from statistics import linear_regression
+from typing import Self
 
 Bound = tuple[str, Callable[[int, int], float]]
 BOUNDS: dict[str, Bound] = {
@@ -120,7 +119,7 @@ class Growth:
     def _exponent(self, values: Sequence[float], last: int) -> float:
         return fit_exponent(self.sizes[-last:], values[-last:])
 
-    def least(self, other: Growth) -> Growth:
+    def least(self, other: Self) -> Self:
         """Return the series with the lesser count of two at each size."""
         points = (
             min(p, q, key=attrgetter("count"))

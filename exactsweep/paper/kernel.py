@@ -3,8 +3,6 @@
 As in the paper, G_t runs from right to left; all other chains run from left to right.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable, Iterable, Sequence
 from itertools import pairwise, product
 

@@ -1,12 +1,15 @@
 """Tests of laws on random pairs, and reduction of counterexamples."""
 
-from __future__ import annotations
-
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import suppress
+from dataclasses import replace
+from functools import cache
+from itertools import combinations, pairwise, product
 
 from exactsweep.corpus.generator.shapes import Ring
-from exactsweep.paper.claim import Effort, Evidence, find_first_failure
+from exactsweep.geometry.canonical import PolygonError
+from exactsweep.geometry.polygon import Polygon
+from exactsweep.paper.claim import Counterexample, Effort, Evidence, find_first_failure
 from exactsweep.paper.pairs import SweepPair, draw_pairs, list_corners
 from exactsweep.procedures.chain import Chain, inverse, split
 
@@ -101,3 +104,93 @@ def try_laws(laws: Iterable[tuple[Law, str]], effort: Effort) -> Evidence:
         sampled.append(sum(numbers))
     summary = " ".join(f"{text} Pairs: {', '.join(drawn)}." for text, drawn in tried.items())
     return Evidence(summary, failure, sampled=min(sampled, default=0))
+
+
+@cache
+def list_polygons(side: int, vertices: int) -> tuple[tuple[tuple[int, int], ...], ...]:
+    """List all strictly X-monotone polygons with k corners on a grid that touch both axes."""
+    found = set()
+    for chosen in combinations(sorted(product(range(side + 1), repeat=2)), vertices):
+        first, *others, last = chosen
+        if first[0] > 0 or min(y for _, y in chosen) > 0:
+            continue
+        for sides in product((True, False), repeat=len(others)):
+            bottom = [first, *(p for p, low in zip(others, sides, strict=True) if low), last]
+            top = [first, *(p for p, low in zip(others, sides, strict=True) if not low), last]
+            if any(p[0] == q[0] for chain in (bottom, top) for p, q in pairwise(chain)):
+                continue
+            with suppress(PolygonError):
+                corners = Polygon([*bottom, *top[-2:0:-1]]).vertices
+                ring = tuple((int(x), int(y)) for x, y in corners)
+                if len(ring) == vertices and set(bottom) <= set(split(ring)[0]):
+                    found.add(ring)
+    return tuple(sorted(found, key=_size))
+
+
+def _size(ring: Sequence[tuple[int, int]]) -> tuple[int, Sequence[tuple[int, int]]]:
+    return max(x for x, _ in ring) + max(y for _, y in ring), ring
+
+
+SHAPES: dict[str, Callable[[Ring], bool]] = {
+    "any": lambda ring: True,
+    "convex": lambda ring: Polygon(ring).is_convex,
+    "bent": lambda ring: not Polygon(ring).is_convex,
+}
+"""The shapes that a search may require of G or D."""
+
+
+def list_tiny_pairs(side: int, most: int, generatrix: str, directrix: str) -> Iterator[SweepPair]:
+    """Yield all pairs on a grid, smallest first, up to a total number of vertices."""
+    for total in range(6, most + 1):
+        pairs = []
+        for n in range(3, total - 2):
+            gs = _choose(side, n, generatrix)
+            ds = _choose(side, total - n, directrix)
+            pairs += [SweepPair(g, d) for g in gs for d in ds]
+        yield from sorted(pairs, key=lambda p: (_size(p.generatrix)[0] + _size(p.directrix)[0], p))
+
+
+@cache
+def _choose(side: int, vertices: int, shape: str) -> list[Ring]:
+    return [ring for ring in map(list, list_polygons(side, vertices)) if SHAPES[shape](ring)]
+
+
+def search_grid(
+    side: int,
+    most: int,
+    generatrix: str,
+    directrix: str,
+    fails: Law,
+) -> Evidence:
+    """Search a grid with coordinates from 0 to `side` for the first counterexample.
+
+    `most` is the maximum number of vertices of both polygons together; `generatrix` and `directrix`
+    are keys of SHAPES; `fails` yields the faults of a pair.
+
+    >>> def four_corners(pair):
+    ...     if len(pair.generatrix) == 4:
+    ...         yield "a square"
+    >>> search_grid(2, 7, "convex", "convex", four_corners).cases[0].generatrix
+    [(0, 0), (1, 0), (2, 1), (1, 1)]
+    """
+    where = f"with up to {most} vertices on the {side + 1} by {side + 1} grid"
+    return search(list_tiny_pairs(side, most, generatrix, directrix), fails, where)
+
+
+def search(pairs: Iterable[SweepPair], fails: Law, where: str) -> Evidence:
+    """Search pairs for the first counterexample; `where` describes the pairs."""
+    number = 0
+    for number, pair in enumerate(pairs, 1):
+        if text := find_first_failure(fails(pair)):
+            how = f"the first of all pairs {where}, smallest first"
+            tried = (
+                f"The first {number:,} pairs {where}." if number > 1 else f"The first pair {where}."
+            )
+            return Evidence(tried, "", (Counterexample(text, how, *pair),), searched=number)
+    return Evidence(f"All {number:,} pairs {where}.", searched=number)
+
+
+def expect_none(convex: Evidence) -> Evidence:
+    """Treat a counterexample among convex polygons as a failure."""
+    failures = (f"two convex polygons: {case.text}" for case in convex.cases)
+    return replace(convex, failure=find_first_failure(failures), cases=())

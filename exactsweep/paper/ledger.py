@@ -1,7 +1,5 @@
 """The rows of the ledger, in the order of the paper, and look-up by name."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import fields
 from difflib import get_close_matches
@@ -11,12 +9,11 @@ from typing import Any
 
 from exactsweep.numbers.error import ExactSweepError, quote
 from exactsweep.paper.claim import Claim, ClaimVerdict, Effort, Evidence, Observation
-from exactsweep.paper.laws import try_laws
-from exactsweep.paper.tiny import expect_none, search_grid
+from exactsweep.paper.laws import expect_none, search_grid, try_laws
 from exactsweep.paper.toml import read_toml
 
 MEASURES = {
-    "counts": "counts.count_all",
+    "counts": "costs.count_all",
     "letter": "costs.compare_outputs",
     "costs": "costs.measure_costs",
 }

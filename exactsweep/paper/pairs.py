@@ -6,8 +6,6 @@ and inside chains; "large" ones make the kernel prune; "far" ones have coordinat
 "resting" pairs, a long edge of G lies on several teeth of D.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import suppress
 from typing import NamedTuple

@@ -1,7 +1,5 @@
 """Piecewise linear functions of one variable, and their min-plus convolution."""
 
-from __future__ import annotations
-
 from collections import defaultdict
 from collections.abc import Iterable, Iterator
 from fractions import Fraction

@@ -1,7 +1,5 @@
 """Plots of counts divided by the claimed bounds, drawn with matplotlib."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from importlib.util import find_spec
 from io import BytesIO

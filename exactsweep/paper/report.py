@@ -1,7 +1,5 @@
 """The report of a run, as one self-contained HTML file and as Markdown."""
 
-from __future__ import annotations
-
 import re
 from base64 import b64encode
 from collections import Counter

@@ -1,7 +1,5 @@
 """Access to the TOML files of this package."""
 
-from __future__ import annotations
-
 import tomllib
 from importlib.resources import files
 from typing import Any

@@ -4,8 +4,6 @@ The positions at which two given features touch form a segment that does not cro
 an edge of the loop, only an end of that segment can touch the loop; there two vertices meet.
 """
 
-from __future__ import annotations
-
 from bisect import bisect_left, bisect_right
 from collections.abc import Iterator, Sequence
 from fractions import Fraction

@@ -28,10 +28,9 @@ from exactsweep.paper.claim import (
 )
 from exactsweep.paper.data import write_data
 from exactsweep.paper.growth import Growth, Size, double
-from exactsweep.paper.laws import break_law, shrink, try_laws
+from exactsweep.paper.laws import break_law, list_polygons, search_grid, shrink, try_laws
 from exactsweep.paper.ledger import CHECKS, CLAIMS, KINDS, find, read_rows
 from exactsweep.paper.pairs import SweepPair, draw_pair, draw_pairs
-from exactsweep.paper.tiny import list_polygons, search_grid
 from exactsweep.procedures.chain import split
 
 SLOW = {

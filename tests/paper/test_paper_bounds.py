@@ -15,12 +15,10 @@ from exactsweep.numbers.number import Vertex
 from exactsweep.paper.checks import (
     appendix,
     beyond,
-    beyond_sizes,
     section1,
     section2,
     section3,
     section4,
-    section4_sizes,
     section5_time,
     slips,
     undercuts,
@@ -53,8 +51,8 @@ def least_holes(m: int, n: int) -> int:
 @pytest.mark.parametrize(
     ("module", "check", "bound", "wrong"),
     [
-        (beyond_sizes, "count_contact_segments", lambda m, n: 2 * m * n, [1]),
-        (beyond_sizes, "count_holes", least_holes, [-1]),
+        (beyond, "count_contact_segments", lambda m, n: 2 * m * n, [1]),
+        (beyond, "count_holes", least_holes, [-1]),
         (undercuts, "find_long_undercut", lambda m, n: edges_over_needles(m, n) + 1, [-1]),
         (undercuts, "count_undercuts", undercuts_under_ceilings, [-1, 1]),
     ],
@@ -87,11 +85,9 @@ def test_chains_of_a_cm_sweep_may_have_as_many_edges_as_stated(
         runs = {name: lambda chains: bow(1) for name in ("Trajectory_CM", "SweepO_CM", "SweepI_CM")}
         runs[procedure] = lambda chains: bow(size)
         loops = {"trajectory": "Trajectory_CM", "outer": "SweepO_CM", "inner": "SweepI_CM"}
-        monkeypatch.setattr(section4_sizes, "RUNS", runs)
-        monkeypatch.setattr(
-            section4_sizes, "look_up_bottom", lambda pair, loop: runs[loops[loop]](None)
-        )
-        return list(section4_sizes.sizes_are_bounded(TEETH))
+        monkeypatch.setattr(section4, "RUNS", runs)
+        monkeypatch.setattr(section4, "look_up_bottom", lambda pair, loop: runs[loops[loop]](None))
+        return list(section4.sizes_are_bounded(TEETH))
 
     assert found(most) == []
     assert found(most + 1) == [
@@ -106,8 +102,9 @@ def test_parts_may_have_as_many_edges_as_stated(
     def found(edges: int) -> list[str]:
         parts = [[bow(1), bow(1)], [bow(1), bow(1)]]
         parts[which] = [bow(edges - 3), bow(3)]
-        monkeypatch.setattr(section4_sizes, "list_sub_chains", lambda pair: parts)
-        return [text for text in section4_sizes.parts_are_bounded(TEETH) if text]
+        monkeypatch.setattr(section4, "list_sub_chains", lambda pair: parts)
+        monkeypatch.setattr(section4, "sub_trajectories_suffice", lambda pair: ())
+        return [text for text in section4.parts_are_bounded(TEETH) if text]
 
     assert found(most) == []
     assert len(found(most + 1)) == 1

@@ -24,9 +24,8 @@ from exactsweep.draw import save
 from exactsweep.paper import kernel, plots
 from exactsweep.paper.claim import Effort, reproduce
 from exactsweep.paper.figures import procedures
-from exactsweep.paper.figures.drawing import draw_figure
+from exactsweep.paper.figures.drawing import Extent, draw_figure, lay_out
 from exactsweep.paper.figures.figure import PaperFigure, load
-from exactsweep.paper.figures.sheet import Extent, lay_out
 from exactsweep.paper.ledger import CLAIMS, find
 from exactsweep.paper.pairs import draw_pair
 from exactsweep.paper.report import write_figures

@@ -14,23 +14,19 @@ from pathlib import Path
 from pkgutil import resolve_name
 from typing import Any, NamedTuple
 
-from exactsweep.paper import costs
 from exactsweep.paper.claim import Effort, reproduce
-from exactsweep.paper.ledger import CHECKS, CLAIMS, FIGURES, find, read_rows
+from exactsweep.paper.figures.figure import find_computation
+from exactsweep.paper.ledger import CHECKS, CLAIMS, find, read_rows
 
 Procedure = Callable[..., Any]
 Sabotage = Callable[[Procedure], Procedure]
 
 # A module that is first imported while the kernel is broken would keep the wrong procedure.
-MODULES = [costs] + [
-    resolve_name(f"{folder}.{name.split('.')[0]}")
-    for row in read_rows()
-    for folder, names in (
-        (CHECKS, [*row.get("laws", ()), *([row["check"]] if "check" in row else [])]),
-        (FIGURES, [row["figure"]] if "figure" in row else []),
-    )
-    for name in names
-]
+for row in read_rows():
+    for name in [*row.get("laws", ()), *([row["check"]] if "check" in row else [])]:
+        resolve_name(f"{CHECKS}.{name.split('.')[0]}")
+    if "figure" in row:
+        find_computation(row["figure"])
 
 
 class Mutation(NamedTuple):

@@ -1,7 +1,5 @@
 """The appendix: lower envelopes for CM sweeps."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from fractions import Fraction
@@ -34,8 +32,8 @@ from exactsweep.paper.functions import (
     reaches,
 )
 from exactsweep.paper.kernel import find_convex_parts, to_graph, trajectory_cc
+from exactsweep.paper.laws import search_grid
 from exactsweep.paper.pairs import SweepPair
-from exactsweep.paper.tiny import search_grid
 from exactsweep.procedures.chain import split
 from exactsweep.procedures.graph import Graph, lower_envelope_cm
 

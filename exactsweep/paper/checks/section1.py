@@ -1,7 +1,5 @@
 """Section 1: definitions of the sweep, the swept area and the path, and remarks on them."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from fractions import Fraction
@@ -19,10 +17,9 @@ from exactsweep.paper.functions import (
     no_fit_is_the_definition,
     take_bottom,
 )
-from exactsweep.paper.laws import break_law, shrink
+from exactsweep.paper.laws import break_law, search_grid, shrink
 from exactsweep.paper.pairs import SweepPair
 from exactsweep.paper.piecewise import LinearPiece, PiecewiseLinear, min_plus_convolution, mirror
-from exactsweep.paper.tiny import search_grid
 
 # The tested point of an edge, which is rarely an end of a contact, and the step off the edge.
 SHARE, STEP = Fraction(5, 17), Fraction(1, 10**9)

@@ -1,7 +1,5 @@
 """Section 2: the chains of a sweep, its two loops, and the contacts of Table 1."""
 
-from __future__ import annotations
-
 from collections import Counter
 from collections.abc import Iterator
 from contextlib import suppress
@@ -26,8 +24,8 @@ from exactsweep.paper.functions import (
     reaches,
     take_bottom,
 )
+from exactsweep.paper.laws import expect_none, search, search_grid
 from exactsweep.paper.pairs import SweepPair, draw_pairs, list_corners
-from exactsweep.paper.tiny import expect_none, search, search_grid
 from exactsweep.procedures.chain import split
 from exactsweep.procedures.monotone import MonotoneSolution
 

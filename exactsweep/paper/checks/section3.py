@@ -1,7 +1,5 @@
 """Section 3: convex generatrix, convex directrix."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import suppress
 from fractions import Fraction

@@ -1,7 +1,5 @@
 """Section 5: monotone generatrix, monotone directrix; the loops and the inverse generatrix."""
 
-from __future__ import annotations
-
 from collections.abc import Iterable, Iterator, Sequence
 from fractions import Fraction
 from functools import partial
@@ -35,9 +33,8 @@ from exactsweep.paper.kernel import (
     sweep_mm,
     trajectory_mm,
 )
-from exactsweep.paper.laws import shrink
+from exactsweep.paper.laws import search_grid, shrink
 from exactsweep.paper.pairs import SweepPair
-from exactsweep.paper.tiny import search_grid
 from exactsweep.procedures.chain import complement, inverse, split
 
 # Along one edge of T, edges of both loops are at distance 11, but G has width 16.

@@ -1,7 +1,5 @@
 """Section 5: size of an MM sweep."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator, Sequence
 
 from exactsweep.corpus.generator.growing import bumps, edges_of_bumps, printed_count

@@ -1,7 +1,5 @@
 """Section 5.1: time of an MM sweep."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Iterator, Sequence
 from functools import reduce
 from itertools import chain, pairwise, product
@@ -14,6 +12,7 @@ from exactsweep.paper.checks.appendix import watch_slots
 from exactsweep.paper.checks.section4 import lowest
 from exactsweep.paper.checks.section5_sizes import OUTGROWING, find_beyond_mn2, outgrows_its_parts
 from exactsweep.paper.claim import Counterexample, Effort, Evidence, Observation, Table
+from exactsweep.paper.costs import count_all
 from exactsweep.paper.counting import (
     count_chains,
     count_operations,
@@ -22,7 +21,6 @@ from exactsweep.paper.counting import (
     operations,
     watch_operations,
 )
-from exactsweep.paper.counts import count_all
 from exactsweep.paper.functions import (
     clip_to,
     describe_difference,

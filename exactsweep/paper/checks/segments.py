@@ -7,8 +7,6 @@ with the envelope of all segments. So trajectories have size O(mn) only if envel
 have linear size.
 """
 
-from __future__ import annotations
-
 import json
 from collections.abc import Sequence
 from fractions import Fraction

@@ -1,14 +1,12 @@
 """Misprints, each with a case that separates the printed from the intended statement."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator, Sequence
 
 from exactsweep.numbers.number import Vertex
 from exactsweep.paper.checks.appendix import meetings
 from exactsweep.paper.claim import Counterexample, Effort, Evidence, Observation
+from exactsweep.paper.costs import count_all
 from exactsweep.paper.counting import count_chains, count_operations, watch_operations
-from exactsweep.paper.counts import count_all
 from exactsweep.paper.functions import (
     keep_corners,
     look_up,
@@ -23,8 +21,8 @@ from exactsweep.paper.kernel import (
     trajectory_cc,
     trajectory_cm,
 )
+from exactsweep.paper.laws import search_grid
 from exactsweep.paper.pairs import Chains, SweepPair
-from exactsweep.paper.tiny import search_grid
 from exactsweep.procedures.chain import inverse
 
 

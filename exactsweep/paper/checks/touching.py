@@ -1,7 +1,5 @@
 """The contacts of a sweep, compared with a test of all pairs of features."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator, Mapping, Sequence
 from itertools import pairwise, product
 from math import lcm

@@ -1,7 +1,5 @@
 """Section 5: number and size of the undercuts of an MM sweep, and size of the inner loop."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator, Sequence
 from dataclasses import astuple
 from itertools import combinations, pairwise
@@ -20,7 +18,7 @@ from exactsweep.geometry.vectors import is_on_segment
 from exactsweep.paper.checks.beyond import covers
 from exactsweep.paper.checks.section4 import undercuts_fill_the_inner_loop
 from exactsweep.paper.claim import Counterexample, Effort, Evidence, Observation, Table
-from exactsweep.paper.counts import count_all
+from exactsweep.paper.costs import count_all
 from exactsweep.paper.functions import list_edges, lower_undercuts
 from exactsweep.paper.kernel import sweep_mm
 from exactsweep.paper.pairs import SweepPair

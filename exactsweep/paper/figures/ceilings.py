@@ -1,7 +1,5 @@
 """An additional figure: the undercuts between two needles of the family of ceilings."""
 
-from __future__ import annotations
-
 from fractions import Fraction
 
 from exactsweep.corpus.generator.growing import ceilings, undercuts_under_ceilings

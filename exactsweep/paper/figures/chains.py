@@ -1,7 +1,5 @@
 """Figure 2: the monotone chains of a polygon."""
 
-from __future__ import annotations
-
 from fractions import Fraction
 from itertools import pairwise
 

@@ -1,7 +1,5 @@
 """Figure 6: a CM sweep composed of the CC sweeps along the convex parts of D."""
 
-from __future__ import annotations
-
 from exactsweep.paper.checks.section4 import lowest
 from exactsweep.paper.figures.figure import (
     PaperFigure,

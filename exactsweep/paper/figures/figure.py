@@ -1,13 +1,11 @@
 """A figure of the paper as a value: its statements, its laws, and its shapes.
 
-Each figure's module has a function `compute`, which returns a PaperFigure.
+drawings.toml names the function that computes each figure.
 """
 
-from __future__ import annotations
-
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from fractions import Fraction
-from importlib import import_module
+from pkgutil import resolve_name
 from typing import Any, NamedTuple, cast
 
 from exactsweep.check import classify
@@ -16,6 +14,7 @@ from exactsweep.numbers.number import Loop, Point, Vertex
 from exactsweep.paper.claim import Observation, Table
 from exactsweep.paper.functions import compare_loops
 from exactsweep.paper.pairs import Chains
+from exactsweep.paper.toml import read_toml
 from exactsweep.procedures.chain import split
 from exactsweep.sweep import Sweep
 
@@ -69,8 +68,13 @@ def join_panels(panels: Mapping[str, PaperFigure]) -> PaperFigure:
     return PaperFigure(facts, laws, shapes, words, sweeps)
 
 
+def find_computation(name: str) -> Callable[[], PaperFigure]:
+    function = read_toml("figures/drawings.toml")[name]["compute"]
+    return cast(Callable[[], PaperFigure], resolve_name(f"exactsweep.paper.figures.{function}"))
+
+
 def load(name: str) -> PaperFigure:
-    return cast(PaperFigure, import_module(f"exactsweep.paper.figures.{name}").compute())
+    return find_computation(name)()
 
 
 def check_figure(name: str) -> Iterator[Observation]:

@@ -1,7 +1,5 @@
 """Figure 9: the distance between the two loops across an edge of the trajectory."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator, Sequence
 from fractions import Fraction
 from itertools import pairwise

@@ -1,7 +1,5 @@
 """Figure 10: sweeps whose outer boundary has order mn² edges."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator, Sequence
 from fractions import Fraction
 from itertools import pairwise

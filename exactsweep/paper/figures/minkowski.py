@@ -1,14 +1,19 @@
-"""Figure 1: the sweep of G around D, and the Minkowski sum of G and D's boundary."""
-
-from __future__ import annotations
+"""Figures 1, 3 and 8: one sweep, its Minkowski sum, its boundaries, and the inverse generatrix."""
 
 from fractions import Fraction
 
 from exactsweep.check import classify
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.numbers.number import Point
-from exactsweep.paper.figures.figure import PaperFigure, place
-from exactsweep.paper.functions import explain_unproved
+from exactsweep.paper.figures.figure import PaperFigure, join_panels, place, shift, take_half
+from exactsweep.paper.functions import (
+    clip_to,
+    explain_unproved,
+    frame_around,
+    keep_corners,
+    take_bottom,
+)
+from exactsweep.paper.kernel import find_inner, find_trajectory, sweep_mm
 from exactsweep.sweep import Sweep, inner_fit_polygon, no_fit_polygon, sweep
 
 GENERATRIX = [(0, 0), (2, 1), (4, 0), (3, 3), (1, 3)]
@@ -27,7 +32,7 @@ def invert_generatrix(s: Sweep) -> Polygon:
     return s.generatrix.exterior.translated((-s.reference.x, -s.reference.y)).reflected()
 
 
-def compute() -> PaperFigure:
+def compute_minkowski() -> PaperFigure:
     """Compute the figure.
 
     The sum of D and G is the no-fit polygon of D and I(G). The sum of D's boundary and G excludes
@@ -59,3 +64,65 @@ def compute() -> PaperFigure:
         | {"b_positions": ALONG, "b_placed": place(s, ALONG)},
         sweeps=[(s, positions)],
     )
+
+
+def compute_boundaries() -> PaperFigure:
+    s = sweep_example()
+    half = take_half(s)
+    # As defined, the inner boundary is the top chain of the area covered in the lower sweep, which
+    # extends beyond both ends of D.
+    top, path = find_inner(half), find_trajectory(half)
+    inner, outer = sweep_mm(*half)
+    start, stop = (Point(x + s.reference.x, y + s.reference.y) for x, y in (path[0], path[-1]))
+    travelled = stop.x - start.x
+    widths = sum(p.bounding_box[1].x - p.bounding_box[0].x for p in (s.generatrix, s.directrix))
+    low = min(y for _, y in outer) - 3
+    return PaperFigure(
+        facts=[
+            ("edges of the inner boundary", len(inner) - 1),
+            ("edges of the outer boundary", len(outer) - 1),
+            ("horizontal distance from start to stop", travelled),
+        ],
+        laws=[
+            ("inner boundary", clip_to(top, half.directrix), keep_corners(inner)),
+            ("bottom of the outer loop", take_bottom(s.outer.vertices), keep_corners(outer)),
+            ("horizontal distance", travelled, widths),
+            ("start", shift(half.top[:1], path[0]), half.directrix[:1]),
+        ],
+        shapes={"lower": outer, "upper": inner, "path": shift(path, s.reference)}
+        | {"swept": [*outer, *reversed(top)], "ends": [start, stop]}
+        | {"distance": [(start.x, low), (stop.x, low)]},
+        words={"widths": [f"{travelled} = width of $G$ + width of $D$"]},
+        sweeps=[(s, [start, stop])],
+    )
+
+
+def compute_inverses() -> PaperFigure:
+    s = sweep_example()
+    inverted = invert_generatrix(s)
+    outside = no_fit_polygon(s.trajectory, inverted).exterior
+    # I(G) is drawn at these vertices of the loop that it retraces.
+    places = {
+        "a": [s.inner.vertices[k] for k in (0, 2, 4, 7)],
+        "b": [s.outer.vertices[k] for k in (0, 4, 12, 20)],
+    }
+    turned = {
+        letter: [shift(inverted.vertices, p) for p in found] for letter, found in places.items()
+    }
+    beyond = frame_around(s.trajectory, inverted)
+    inside = [classify(beyond, inverted, p).verdict for p in s.inner.vertices]
+    whole = PaperFigure(
+        facts=[
+            ("edges of the trajectory", len(s.trajectory)),
+            ("edges of the inner loop, retraced inside", len(s.inner)),
+            ("edges of the outer loop, retraced outside", len(s.outer)),
+        ],
+        laws=[
+            ("the loop outside is the outer one", outside == s.outer, True),
+            ("verdicts on I(G) and the exterior at the inner vertices", {*inside}, {"CONTACT"}),
+        ],
+        shapes={"widest": turned["b"]},
+        sweeps=[(s, [])],
+    )
+    drawn = {k: PaperFigure(shapes={"places": places[k], "turned": turned[k]}) for k in "ab"}
+    return join_panels({"": whole} | drawn)

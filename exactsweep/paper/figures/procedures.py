@@ -1,7 +1,5 @@
 """Figure 11: calls between the printed procedures, and between functions of the kernel."""
 
-from __future__ import annotations
-
 import json
 import sys
 from collections.abc import Callable, Mapping, Sequence
