@@ -1,4 +1,4 @@
-"""The solids of a layout: placed parts, the outside and the defects, at any precision."""
+"""The solids of a layout: placed parts, the outside of the container, and the defects."""
 
 from __future__ import annotations
 
@@ -38,14 +38,7 @@ _NONE = Fraction(0)
 
 
 class Board:
-    """The solids of a layout.
-
-    Args:
-        layout: a Layout.
-
-    Attributes:
-        placed: the indices of the placements of simple parts.
-    """
+    """The solids of a layout; `placed` has the indices of the placements of simple parts."""
 
     def __init__(self, layout: Layout) -> None:
         self.layout = layout
@@ -56,10 +49,7 @@ class Board:
         self._forms: dict[tuple[str, Turn, bool, int, int], LatticeForm | RoundedForm] = {}
 
     def turned(self, k: int, bits: int = TURN_BITS) -> Region:
-        """Return the part of a placement, mirrored and rotated, but not translated.
-
-        A rounded part is approximated from outside; see `surround`.
-        """
+        """Return the mirrored and rotated part of a placement; a rounded part is circumscribed."""
         placement = self.layout.placements[k]
         return to_region(self._shapes[placement.part])._image(AffineMap(*placement.rows(bits)))
 
@@ -69,7 +59,7 @@ class Board:
         return is_rounded(*solids)
 
     def _turn(self, k: int, bits: int) -> tuple[int, MatrixRows]:
-        """Return the linear map of a placement: a common denominator and int rows."""
+        """Return the linear map of a placement as a common denominator and int rows."""
         rows = self.layout.placements[k].rows(bits)
         denominator = lcm(*(number.denominator for number in rows))
         a, b, c, d = (put_on_lattice(number, denominator) for number in rows)
@@ -130,7 +120,7 @@ class Board:
 
     @cached_property
     def frame(self) -> tuple[int, int, int, int]:
-        """A rectangle around everything, with room to spare: left, low, right, high."""
+        """A rectangle with a margin around all shapes: left, low, right, high."""
         xs, ys = [0], [0]
         shapes: list[Region | RoundedPiece] = []
         for one in self.layout.defects:
@@ -157,18 +147,17 @@ class Board:
 
     @cached_property
     def around(self) -> list[Solid]:
-        """The outside of the container, if there is one, and the defects."""
+        """The outside of the container, if there is one, then the defects."""
         return [*self._find_outside(), *self._find_defects()]
 
     def required(self, wall: int) -> Fraction:
-        """Return the required distance between parts and an item of `around`."""
+        """Return the required distance between parts and an obstacle in `around`."""
         number = wall - self.first_defect - len(self.holes)
         own = self.layout.defects[number].spacing if number >= 0 else None
         return self.layout.margin if own is None else own
 
     @cached_property
     def greatest_margin(self) -> Fraction:
-        """The greatest result of `required`."""
         spacings = [one.spacing for one in self.layout.defects if one.spacing is not None]
         return max([self.layout.margin, *spacings])
 
@@ -179,7 +168,6 @@ class Board:
 
     @property
     def holes(self) -> tuple[Polygon, ...]:
-        """The holes of the container."""
         container = self.layout.container
         return container.holes if isinstance(container, Region) else ()
 
@@ -264,7 +252,7 @@ class Board:
             yield placed[k], placed[j]
 
     def list_neighbors(self, k: int, reach: Fraction) -> list[int]:
-        """List the placements whose boxes are within reach of placement k in both coordinates."""
+        """List the placements whose boxes are within reach of placement k in x and y."""
         unit, room = self.unit, ceil(reach * self.unit)
         left, right, low, high = _enlarge(self.solid(k), unit)
         found = []
@@ -287,7 +275,7 @@ class Board:
         return {k: sorted(walls) for k, walls in found.items()}
 
     def find_walls(self) -> Iterator[tuple[int, list[int]]]:
-        """Yield each placement with the items of `around` that may be nearer than required."""
+        """Yield each placement with the obstacles in `around` that may be too close."""
         outside = range(self.first_defect)
         for k, defects in self.find_defects(self.greatest_margin).items():
             yield k, defects if self.is_clear(k) else [*outside, *defects]

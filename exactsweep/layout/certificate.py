@@ -1,7 +1,7 @@
 """Certificates of layouts; see `check/CERTIFICATES.md`.
 
-The proof of a valid layout has convex pieces, and a separating normal for each pair of pieces whose
-boxes are too close. The proof of a fault is a point.
+The proof of a valid layout consists of convex pieces, and a separating normal for each pair of
+pieces with close boxes. The proof of a fault is a point.
 """
 
 from __future__ import annotations
@@ -30,8 +30,7 @@ from exactsweep.numbers.number import Point
 
 _PieceRings = list[list[Point]] | None
 
-_LEAST = 3
-"""Minimum number of vertices of a ring in a certificate."""
+_LEAST = 3  # vertices of a ring in a certificate
 
 
 def write_certificate(board: Board, faults: Sequence[Fault]) -> dict[str, Any]:
@@ -82,7 +81,7 @@ def _prove_valid(board: Board, bits: int) -> dict[str, Any] | None:
 
 
 def _part_placements(board: Board, bits: int) -> Iterator[list[Any] | None]:
-    """Yield an entry for each near pair of placements, or for each near pair of their pieces."""
+    """Yield an entry for each pair of close placements, or for each close pair of their pieces."""
     spacing = board.layout.spacing
     for k, j in board.list_near(spacing):
         a, b = share_scale(board.solid(k, bits), board.solid(j, bits))
@@ -100,7 +99,7 @@ def _part_placements(board: Board, bits: int) -> Iterator[list[Any] | None]:
 
 
 def _part_obstacles(board: Board, bits: int) -> Iterator[list[Any] | None]:
-    """Yield an entry for each piece of an obstacle and each near piece of a placement."""
+    """Yield an entry for each piece of an obstacle and each close piece of a placement."""
     names = _name_obstacles(board)
     for k, defects in board.find_defects(board.greatest_margin).items():
         outside = () if board.is_open else (0,)
@@ -113,18 +112,16 @@ def _part_obstacles(board: Board, bits: int) -> Iterator[list[Any] | None]:
 
 
 def _name_obstacles(board: Board) -> list[tuple[int, int]]:
-    """Return the number of each obstacle in certificates, and the index of its first piece.
-
-    The outside of the container, including its holes, is -1; defect k is -2 - k.
-    """
+    """Return the number of each obstacle in certificates, and the index of its first piece."""
     number = _count_outside(board)
     counts = (len(wall.form.pieces) for wall in board.around[: number - 1])
+    # The outside of the container, including its holes, is -1; defect k is -2 - k.
     outside = [(-1, first) for first in accumulate(counts, initial=0)]
     return outside + [(-2 - k, 0) for k in range(len(board.around) - number)]
 
 
 def _count_outside(board: Board) -> int:
-    """Count the obstacles outside the container: its exterior and its holes."""
+    """Count the obstacles of the container: its outside and its holes."""
     return board.first_defect + len(board.holes)
 
 

@@ -1,6 +1,6 @@
 """The clearance of two solids, at least one of them rounded: their distance, or minus the depth.
 
-It is the minimum of d - r - s over pairs of pieces, by (1) and (2) of `rounded`; polygon pieces
+It is the minimum of d - r - s over pairs of pieces, by (1) and (2) of `rounded`; polygonal pieces
 have radius 0. The squared distance of hulls is rational, so all comparisons are exact.
 """
 
@@ -22,26 +22,17 @@ _BITS, _MOST_HALVINGS = 64, 1024
 
 
 class Clearance(NamedTuple):
-    """The clearance of two pieces, d - r: negative if they overlap, 0 if they touch.
+    """The clearance d - r of two pieces: negative if they overlap, 0 if they touch."""
 
-    Attributes:
-        square: d^2, or -d^2 if d is negative.
-        radius: r, the sum of both radii, or for the outside of a rounded container the difference.
-        hulls: the distance between the hulls, on the lattice.
-        pieces: the indices of the pieces.
-    """
-
-    square: Fraction
-    radius: Fraction
-    hulls: HullDistance
-    pieces: tuple[int, int]
+    square: Fraction  # d^2, or -d^2 if d is negative
+    radius: Fraction  # r, the sum of both radii; their difference for the outside of a container
+    hulls: HullDistance  # on the lattice
+    pieces: tuple[int, int]  # their indices
 
     def is_below(self, length: Fraction) -> bool:
-        """Return whether the clearance is less than a length, which may be negative."""
         return self.square < sign_square(self.radius + length)
 
     def is_at_most(self, length: Fraction) -> bool:
-        """Return whether the clearance is at most a length, which may be negative."""
         return self.square <= sign_square(self.radius + length)
 
     def is_less(self, other: Clearance) -> bool:
@@ -84,15 +75,11 @@ class Clearance(NamedTuple):
 
 
 def is_rounded(*solids: Solid) -> bool:
-    """Return whether any solid is rounded."""
     return any(solid.form.is_rounded for solid in solids)
 
 
 def list_clearances(a: Solid, b: Solid, within: Fraction | None) -> Iterator[Clearance]:
-    """Yield the clearances of pairs of pieces, if at most `within`; the solids share a lattice.
-
-    The second solid may be the outside of a rounded container.
-    """
+    """Yield the clearances of at most `within` between the pieces of solids on one lattice."""
     scale = a.scale
     reach: Rational | None = None if within is None else within * scale
     if reach is not None and reach.denominator == 1:
@@ -132,7 +119,7 @@ def _leave(found: HullDistance, radii: Rational, scale: int, pieces: tuple[int, 
 
 
 def find_clearance(a: Solid, b: Solid, within: Fraction | None = None) -> Clearance | None:
-    """Find the clearance of two solids, if it is at most `within`; see `list_clearances`."""
+    """Find the clearance of two solids on one lattice, if it is at most `within`."""
     best: Clearance | None = None
     for one in list_clearances(a, b, within):
         if best is None or one.is_less(best):
@@ -254,10 +241,7 @@ def _find_meeting(one: Sequence[Vertex], other: Sequence[Vertex]) -> Vertex:
 
 
 def measure_gap(a: Solid, b: Solid, found: Clearance) -> SquaredDistance:
-    """Return the squared distance between two solids that do not overlap, and their nearest points.
-
-    Irrational values are rounded up, with relative error at most 2^-64.
-    """
+    """Return the squared distance of disjoint solids, rounded up by 2^-64, and nearest points."""
     (i, j), (x, y) = found.pieces, found.hulls.normal
     length = found.bound(up=True)
     p, q = found.hulls.points or (a.rounded[i][0][0], b.rounded[j][0][0])
@@ -275,7 +259,6 @@ def measure_gap(a: Solid, b: Solid, found: Clearance) -> SquaredDistance:
 
 
 def relate(a: Solid, b: Solid) -> Relation:
-    """Return the Relation of two solids on a common lattice."""
     if not is_rounded(a, b):
         return meet(a, b)
     found = find_clearance(a, b, Fraction(0))

@@ -15,25 +15,15 @@ from exactsweep.numbers.number import Point
 
 
 class NearestPair(NamedTuple):
-    """Two placements whose parts are nearest.
+    """Two placements whose parts are nearest."""
 
-    Attributes:
-        square: the squared distance, 0 for parts that touch or overlap; for rounded parts, rounded
-            up with relative error at most 2^-63 if irrational.
-        placements: the indices of the two placements.
-        points: the nearest point of each part; for overlapping parts, a point inside both.
-    """
-
-    square: Fraction
+    square: Fraction  # rounded up with relative error at most 2^-63 if irrational
     placements: tuple[int, int]
-    points: tuple[Point, ...]
+    points: tuple[Point, ...]  # the nearest ones; for overlapping parts, a point inside both
 
 
 def find_nearest_pair(board: Board, touching: tuple[int, int] | None) -> NearestPair | None:
-    """Find the two nearest placed parts of a board without overlaps; None for fewer than two parts.
-
-    `touching` is a pair of placements in contact, if there is any.
-    """
+    """Find the nearest placed parts without overlaps; `touching` is a pair in contact, if any."""
     if any(board.solid(k).form.is_rounded for k in board.placed):
         return _find_rounded(board)
     if touching is not None:

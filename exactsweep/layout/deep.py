@@ -4,7 +4,7 @@
     than the slack. So a point inside the solid and farther than the slack from its boundary is
     inside the true solid.
 (2) Between two consecutive heights of vertices of the intersection, a horizontal line meets each
-    component of its interior there, and passes no vertex.
+    component of its interior there, and passes through no vertex.
 (3) A line through a point deeper than the slack of both solids runs inside both of them for more
     than twice the lesser slack. So no shorter chord has such a point.
 """
@@ -30,12 +30,9 @@ _HorizontalChord = tuple[Rational, Rational, Rational]
 
 
 def find_deep_point(a: Solid, b: Solid) -> Point | None:
-    """Find a point inside both true solids of one lattice by (1); None if none is found.
+    """Find a point inside both true polygonal solids of one lattice by (1); None if none is found.
 
-    The solids are polygonal. If they overlap and are exact, such a point exists.
-
-    Cost: as for `find_common_boundary`, and O(k) for each of at most 32 chords of an intersection
-    with k edges.
+    If the solids overlap and are exact, such a point exists. At most 32 chords are tested.
     """
     boundary = find_common_boundary(_list_rings(a), _list_rings(b))
     least = 2 * min(a.slack, b.slack) * a.scale
@@ -70,14 +67,13 @@ def _list_lines(boundary: Sequence[Edge]) -> Iterator[_HorizontalChord]:
 
 
 def _find_chord(boundary: Sequence[Edge], point: Vertex, axis: int) -> _ChordEnds:
-    """Return the chord along an axis around a point inside."""
+    """Return the chord along an axis through an interior point."""
     at = point[axis]
     chords = _list_chords(boundary, point[1 - axis], axis)
     return next((low, high) for low, high in chords if low < at < high)
 
 
 def _list_chords(edges: Iterable[Edge], line: Rational, axis: int) -> Iterator[_ChordEnds]:
-    """Yield the ends of the chords along an axis on a line."""
     across, found = 1 - axis, list[Rational]()
     for p, q in edges:
         u, v = p[across], q[across]
@@ -88,13 +84,13 @@ def _list_chords(edges: Iterable[Edge], line: Rational, axis: int) -> Iterator[_
 
 
 def _halve(low: Rational, high: Rational) -> Rational:
-    """Return a number between two others: an int near their middle, or else their middle."""
+    """Return a number between two others: an int near the midpoint, or else the midpoint."""
     middle = (low + high) // 2
     return middle if low < middle else Fraction(low + high) / 2
 
 
 def _is_deep(point: Vertex, solid: Solid) -> bool:
-    """Decide whether a point inside a solid is farther from its boundary than the slack."""
+    """Return whether an interior point is farther from the boundary than the slack."""
     if not solid.slack:
         return True
     assert isinstance(solid.form, LatticeForm)

@@ -1,4 +1,4 @@
-"""Search for other conventions of placements that explain a layout with many faults.
+"""Other conventions of placements that explain a layout with many faults.
 
 Each convention turns the same numbers into another exact layout, which is then judged. A rotation R
 about a center c maps P to R (P - c) + c + t, so it suffices to shift the part and the translation.
@@ -45,9 +45,7 @@ def diagnose(judgement: Judgement) -> list[str]:
     """Describe the conventions under which nearly all overlaps and parts outside vanish.
 
     The list is sorted by remaining faults. It is empty if few placements are faulty, no convention
-    explains the faults, or a shape is rounded.
-
-    Cost: about thirty times `judge_layout`, if many placements are faulty.
+    explains the faults, or a shape is rounded. It takes up to thirty times as long as the judge.
     """
     layout, faults = judgement.layout, _count_faults(judgement)
     if any(part.pieces for part in layout.parts) or isinstance(layout.container, RoundedPiece):
@@ -66,7 +64,7 @@ def diagnose(judgement: Judgement) -> list[str]:
 
 
 def find_radians(layout: Layout) -> list[str]:
-    """Report a rotation that, read as radians, is nearly a multiple of 15 degrees.
+    """Report a rotation that is nearly a multiple of 15 degrees when read as radians.
 
     >>> found = find_radians(Layout(None, (), (Placement("a", read_turn("3.14159"), ORIGIN),)))
     >>> print(*found)
@@ -91,7 +89,7 @@ def _count_faults(judgement: Judgement) -> int:
 
 
 def _apply(layout: Layout, change: Convention) -> Layout:
-    """Make the layout under a convention; equal changed parts are merged."""
+    """Return the layout under a convention, with equal changed parts merged."""
     parts: dict[LayoutPart, str] = {}
     placements = []
     for placement in layout.placements:
@@ -139,7 +137,7 @@ def _list_conventions(layout: Layout) -> Iterator[tuple[str, Convention]]:
 
 
 def _from_radians(angle: Fraction) -> Fraction:
-    """Convert radians to degrees, rounded if nearly whole; angles over 180 are negative."""
+    """Convert radians to degrees, rounded if nearly an integer; angles over 180 are negative."""
     degrees = (angle if angle <= 180 else angle - 360) * _DEGREES
     return Fraction(round(degrees)) if abs(degrees - round(degrees)) < _NEARLY else degrees
 
@@ -167,7 +165,7 @@ def _move_first(part: LayoutPart, p: Placement) -> tuple[LayoutPart, Placement]:
 
 
 def _from_turned_corner(part: LayoutPart, p: Placement) -> tuple[LayoutPart, Placement]:
-    """Let the translation place the corner of the rotated part's box, if the rotation is exact."""
+    """Let the translation place the corner of the rotated part's box, if that is exact."""
     if p.turn.exact is None:
         return part, p
     a, b, c, d = p.rows()

@@ -1,4 +1,4 @@
-"""Faults of layouts: their kinds, placements, proofs and measures."""
+"""Faults of layouts: their kinds, placements, witnesses and measures."""
 
 from __future__ import annotations
 
@@ -21,8 +21,7 @@ if TYPE_CHECKING:
 
 FaultKind = Literal[
     "overlap", "outside", "too close", "missing", "surplus", "turn", "mirror", "shape", "undecided"
-]
-"""The kinds of faults, the worst first."""
+]  # the worst first
 
 
 # Depths with a greater ratio differ only by rounding.
@@ -36,10 +35,10 @@ class Fault:
 
     Attributes:
         kind: "overlap": two placed parts overlap; "outside": a placed part is not inside the
-            container, or overlaps a defect; "too close": two placed parts are nearer than the
-            spacing, or one is nearer than the margin to the boundary of the container or of a
+            container, or overlaps a defect; "too close": two placed parts are closer than the
+            spacing, or one is closer than the margin to the boundary of the container or of a
             defect; "missing", "surplus": a part has fewer or more placements than its demand;
-            "turn", "mirror": a placement has a rotation or a mirroring that its part forbids;
+            "turn", "mirror": a placement has a rotation or a reflection that its part forbids;
             "shape": a part is not simple, so its placements are not judged; "undecided": irrational
             rotations or flattened curves leave the verdict open.
         placements: the indices of the placements, ascending.
@@ -47,9 +46,8 @@ class Fault:
         reason: why a part is not simple, a placement is forbidden, or the verdict is undecided.
         number: the number of missing or surplus placements.
         distance_squared: the squared distance, for "too close".
-        bound: a bound on the errors of both solids by irrational rotations and flattened curves; 0
-            if both are exact. The proof of a fault holds for the true rotations and curves; `move`
-            may be off by the bound.
+        bound: a bound on the errors that irrational rotations and flattened curves cause in both
+            solids. The fault is proved for the true rotations and curves; `move` may be off by it.
         error: the part of the bound due to flattened curves.
         wall: the obstacle of a fault with one placement, an index in `Board.around`.
     """
@@ -71,9 +69,9 @@ class Fault:
     def points(self) -> tuple[Point, ...]:
         """The points that prove the fault.
 
-        "overlap": a point inside both parts. "outside": a point inside the part that is outside the
-        container or inside a defect. "too close": the two nearest points, the second on the other
-        part, the container's boundary or a defect. Other kinds have no points.
+        "overlap": a point inside both parts. "outside": a point of the part that is outside the
+        container or inside a defect. "too close": the two nearest points; the second is on the
+        other part, the container's boundary or a defect. Other kinds have no points.
         """
         if self.kind not in ("overlap", "outside"):
             return self._nearest
@@ -83,7 +81,7 @@ class Fault:
         return (found,)
 
     def find_pair(self, bits: int) -> tuple[Solid, Solid]:
-        """Return the two solids of a fault, on a common lattice; an obstacle comes second."""
+        """Return the two solids of a fault on a common lattice; an obstacle comes second."""
         board = self._board
         assert board is not None
         first = board.solid(self.placements[0], bits)
@@ -95,12 +93,10 @@ class Fault:
     def move(self) -> Point | None:
         """A shortest move of the last placement that repairs the fault; None if there is none.
 
-        It includes the spacing or the margin, but ignores other parts. A part outside moves into
-        the container, off the defects, if it fits at its rotation. The judge has accepted the
-        result. The move is shortest if no distance is required and all rotations are rational;
-        otherwise see `exactsweep.layout.repair`.
-
-        Cost: as for `find_repair`, on first access.
+        It respects the spacing or the margin, but ignores other parts. A part outside moves into
+        the container, off the defects, if it fits at its rotation. The judge accepts the result.
+        The move is shortest if no distance is required and all rotations are rational; otherwise
+        see `exactsweep.layout.repair`. It is computed on first access.
         """
         if self._board is None or self.kind not in _REPAIRED:
             return None
@@ -111,10 +107,8 @@ class Fault:
         """The squared length of the shortest move to contact, for "overlap" and "outside".
 
         It ignores the spacing and the margin, and is None if the part fits nowhere. The length may
-        be off by the bound; for rounded parts it is rounded up, and only an upper bound if one of
-        them is not convex.
-
-        Cost: as for `find_depth_move`, on first access.
+        be off by the bound. For rounded parts it is rounded up, and only an upper bound if one of
+        them is not convex. It is computed on first access.
         """
         if self._board is None or self.kind not in ("overlap", "outside"):
             return None
@@ -134,9 +128,9 @@ class Fault:
 
     @cached_property
     def clearance(self) -> Clearance | None:
-        """The exact distance or depth of two rounded shapes; None for polygons.
+        """The exact distance or depth of two rounded shapes, a square root minus a radius.
 
-        It is a square root minus a radius, computed for the deepest or nearest pair of pieces.
+        It belongs to the deepest or nearest pair of pieces, and is None for polygons.
         """
         if self._board is None or self.kind not in _REPAIRED:
             return None
@@ -162,7 +156,7 @@ class Fault:
         return self._board.required(self.wall)
 
     def is_within(self, depth: Fraction) -> bool:
-        """Return whether the depth, or the missing distance, is proved to be at most `depth`.
+        """Return whether the depth or the missing distance is proved to be at most `depth`.
 
         The proof holds for the true rotations and curves.
 

@@ -1,13 +1,11 @@
 """The exact judge of layouts.
 
-A layout is valid if all parts are simple, every placed part lies in the closed container, no two
-interiors meet, any two parts are at least the spacing apart, every part is at least the margin away
-from the boundary of the container and the defects, and demand, rotations and mirroring obey the
-rules.
-
-The verdict holds for the true curves: parts are separate if their gap is at least the spacing plus
-the errors of both, and overlap if a point is deeper in each than its error; otherwise they are
-undecided.
+In a valid layout, all parts are simple; every placed part lies in the closed container; interiors
+are disjoint; any two parts are at least the spacing apart; every part is at least the margin away
+from the boundary of the container and the defects; and demand, rotations and reflections obey the
+rules. The verdict holds for the true curves: parts are separate if their gap is at least the
+spacing plus the errors of both, and overlap if some point is deeper in each than its error;
+otherwise the pair is undecided.
 """
 
 from __future__ import annotations
@@ -36,7 +34,7 @@ from exactsweep.words import count
 
 
 class Judgement:
-    """The faults of a layout, and measures, computed on first access; see `judge_layout`.
+    """The faults and measures of a layout; see `judge_layout`.
 
     Attributes:
         layout: the Layout.
@@ -72,16 +70,16 @@ class Judgement:
 
     @property
     def density(self) -> Fraction | None:
-        """The ratio of the area of placed simple parts to that of the container, or else the `box`.
+        """The total area of the placed simple parts, relative to the container or else the `box`.
 
-        None if nothing is placed, or rounded pieces of a part overlap. The error is at most
+        None if nothing is placed or rounded pieces of a part overlap. The error is at most
         `density_error`.
         """
         return None if self._density is None else sum(self._density, Fraction(0)) / 2
 
     @property
     def density_error(self) -> Fraction:
-        """A bound on the error of `density`; 0 without rounded parts and containers."""
+        """A bound on the error of `density`; 0 if nothing is rounded."""
         return Fraction(0) if self._density is None else (self._density[1] - self._density[0]) / 2
 
     @cached_property
@@ -124,10 +122,8 @@ class Judgement:
     def distance(self) -> NearestPair | None:
         """The nearest pair of placed parts; None for fewer than two.
 
-        Overlaps and contacts have distance 0. Irrational rotations and flattened curves cause
+        Parts that overlap or touch have distance 0. Irrational rotations and flattened curves cause
         errors; see `Layout.greatest_error`.
-
-        Cost: as for `find_nearest_pair`.
         """
         for fault in self.faults:
             if fault.kind == "overlap":

@@ -1,4 +1,4 @@
-"""Layouts as values: a container, parts, and placements of the parts."""
+"""Layouts: a container, parts, and placements of the parts."""
 
 from __future__ import annotations
 
@@ -59,7 +59,7 @@ class LayoutPart:
 
     @classmethod
     def from_json(cls, data: object, path: str) -> LayoutPart:
-        """Read a part; messages begin with the path."""
+        """Read a part from JSON data; error messages start with `path`."""
         rules = ("demand", "turns", "mirrored", "mirrored_turns")
         found, (exterior, holes), pieces, error = _read_shape(data, path, ("id",), rules)
         demand = found.get("demand")
@@ -90,17 +90,17 @@ class LayoutPart:
 
     @property
     def shape(self) -> BodyShape | None:
-        """The rounded pieces or the `region`; None if the rings do not bound one."""
+        """The rounded pieces or the `region`; None if the rings do not bound a region."""
         return self.pieces or self.region
 
     @cached_property
     def region(self) -> Region | None:
-        """The part as a Region; None if it is rounded, or its rings do not bound a region."""
+        """The part as a Region; None if it is rounded or its rings do not bound a region."""
         return None if self.pieces else self._read[0]
 
     @cached_property
     def refusal(self) -> str:
-        """The reason that the rings do not bound a region, or ""."""
+        """The reason why the rings do not bound a region, or ""."""
         return self._read[1]
 
     @cached_property
@@ -130,7 +130,7 @@ class Placement:
 
     @classmethod
     def from_json(cls, data: object, path: str) -> Placement:
-        """Read a placement; messages begin with the path."""
+        """Read a placement from JSON data; error messages start with `path`."""
         found = read_object(data, path, ("part", "move"), ("turn", "mirrored"))
         return cls(
             read_id(found["part"], f"{path}.part"),
@@ -148,21 +148,14 @@ class Placement:
 
 @dataclass(frozen=True)
 class Defect:
-    """A shape that no part may overlap; it may touch or cross the container and other defects.
-
-    Attributes:
-        shape: a Region, or a tuple of RoundedPiece.
-        error: as for `LayoutPart`.
-        spacing: the required distance to parts; None for the margin of the layout.
-    """
+    """A shape that no part may overlap; it may touch or cross the container and other defects."""
 
     shape: BodyShape
-    error: Fraction = Fraction(0)
-    spacing: Fraction | None = None
+    error: Fraction = Fraction(0)  # as for `LayoutPart`
+    spacing: Fraction | None = None  # the required distance to parts; None for the margin
 
     @classmethod
     def from_json(cls, data: object, path: str) -> Defect:
-        """Read a defect; messages begin with the path."""
         found, rings, pieces, error = _read_shape(data, path, (), ("spacing",))
         given = found.get("spacing")
         spacing = None if given is None else read_gap(given, f"{path}.spacing")
@@ -278,7 +271,7 @@ class Layout:
     def __geo_interface__(self) -> GeoJson:
         """The placed parts as a GeoJSON GeometryCollection.
 
-        Irrational rotations are approximated, and rounded parts are approximated from outside.
+        Irrational rotations are approximated; rounded parts become circumscribed polygons.
 
         Raises:
             LayoutError: a placed part is not simple.
@@ -294,7 +287,7 @@ class Layout:
 
     @property
     def greatest_error(self) -> Fraction:
-        """The greatest `error` of the container, the defects and the placed parts."""
+        """The maximum `error` of the container, the defects and the placed parts."""
         placed = {placement.part for placement in self.placements}
         errors = [part.error for part in self.parts if part.id in placed]
         return max([self.error, *errors, *(one.error for one in self.defects)])

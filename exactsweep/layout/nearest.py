@@ -1,7 +1,7 @@
 """The minimum distance between two solids that do not overlap.
 
-Two segments that do not meet are nearest at an end of one of them, so their squared distance is a
-quotient of two ints.
+Two disjoint segments are nearest at an end of one of them, so their squared distance is a quotient
+of two ints.
 """
 
 from __future__ import annotations
@@ -17,12 +17,7 @@ from exactsweep.numbers.number import Edge, Point, Rational
 
 
 def find_gap(a: Solid, b: Solid, below: Fraction) -> SquaredDistance | None:
-    """Find the minimum squared distance between two boundaries, if it is below a bound.
-
-    The solids are polygonal, on a common lattice, and do not overlap.
-
-    Cost: O(k h) for k and h edges within the bound of the other solid's box.
-    """
+    """Find the squared distance of disjoint polygonal solids on one lattice, if below a bound."""
     assert isinstance(a.form, LatticeForm)
     assert isinstance(b.form, LatticeForm)
     scale = a.scale

@@ -19,7 +19,7 @@ from exactsweep.geometry.vectors import minus
 def find_normal(
     one: Sequence[IntVertex], other: Sequence[IntVertex], distance: Fraction
 ) -> IntVertex | None:
-    """Find a normal that proves a distance between two convex pieces; None if they are nearer.
+    """Find a normal that proves a distance between two convex pieces; None if they are closer.
 
     Pieces are counter-clockwise rings, segments or points; the distance is in lattice units.
 

@@ -13,9 +13,7 @@ from exactsweep.layout.pieces import bound_piece
 
 
 def cut_outside(exterior: IntRing, frame: tuple[int, int, int, int]) -> list[ConvexRing]:
-    """Cut the space between a container and a frame into convex pieces.
-
-    The exterior is counter-clockwise; the frame (left, low, right, high) leaves room around it.
+    """Cut the space between a counter-clockwise container and a larger frame into convex pieces.
 
     >>> len(cut_outside([(0, 0), (2, 0), (2, 2), (1, 2), (0, 1)], (-1, -1, 3, 3)))
     5

@@ -13,15 +13,13 @@ from exactsweep.numbers.number import Point, Rational, Vertex
 
 
 def bound_piece(piece: IntRing, radius: int = 0) -> tuple[int, int, int, int]:
-    """Return the left, right, low and high ends of a piece, which may be rounded."""
+    """Return the left, right, low and high ends of a convex piece, enlarged by a radius."""
     xs, ys = zip(*piece, strict=True)
     return min(xs) - radius, max(xs) + radius, min(ys) - radius, max(ys) + radius
 
 
 def find_common_point(one: Sequence[Vertex], other: Sequence[Vertex]) -> Point | None:
-    """Find a point inside two convex pieces; None if their interiors are disjoint.
-
-    Cost: O(m n).
+    """Find a point inside two convex pieces, in O(m n); None if their interiors are disjoint.
 
     >>> find_common_point([(0, 0), (2, 0), (2, 2), (0, 2)], [(1, 1), (3, 1), (3, 3), (1, 3)])
     Point(x=Fraction(3, 2), y=Fraction(3, 2))

@@ -1,4 +1,4 @@
-"""Readers of plain JSON data, whose errors name the field."""
+"""Readers of plain JSON data; error messages name the field."""
 
 from __future__ import annotations
 
@@ -17,13 +17,13 @@ _Value = TypeVar("_Value")
 
 
 class LayoutError(ExactSweepError):
-    """Data that is not a layout; the message names the part or placement, and the field."""
+    """Invalid layout data; the message names the part or placement, and the field."""
 
 
 def read_object(
     data: object, path: str, needed: Sequence[str], others: Sequence[str]
 ) -> Mapping[str, object]:
-    """Require an object with all required fields and no unknown ones."""
+    """Require an object that has all required fields and no unknown ones."""
     if not isinstance(data, Mapping):
         raise LayoutError(f"{path} is {quote(data)}, not an object")
     for name in needed:
@@ -44,18 +44,15 @@ def read_list(data: object, path: str, read: Callable[[object, str], _Value]) ->
 
 
 def read_rings(data: Mapping[str, object], path: str) -> tuple[Loop, tuple[Loop, ...]]:
-    """Read the exterior and the holes of an object."""
     exterior = read_ring(data["exterior"], f"{path}.exterior")
     return exterior, read_list(data.get("holes", ()), f"{path}.holes", read_ring)
 
 
 def read_ring(data: object, path: str) -> Loop:
-    """Read a list of pairs of numbers."""
     return read_list(data, path, read_vertex)
 
 
 def read_vertex(data: object, path: str) -> Point:
-    """Read a pair of numbers."""
     try:
         return read_point(data, path)  # type: ignore[arg-type]
     except ExactSweepError as error:
@@ -63,7 +60,6 @@ def read_vertex(data: object, path: str) -> Point:
 
 
 def read_number(data: object, path: str) -> Fraction:
-    """Read a number, like `to_fraction`."""
     try:
         with prefix_errors(path):
             return to_fraction(data)
@@ -72,7 +68,7 @@ def read_number(data: object, path: str) -> Fraction:
 
 
 def read_gap(data: object, path: str) -> Fraction:
-    """Read a number that is not negative."""
+    """Read a non-negative number."""
     found = read_number(data, path)
     if found < 0:
         raise LayoutError(f"{path} is {abridge(found)}, less than 0")
@@ -80,7 +76,7 @@ def read_gap(data: object, path: str) -> Fraction:
 
 
 def read_turn(data: object, path: str) -> Turn:
-    """Read degrees, or the exact cosine and sine."""
+    """Read an angle in degrees, or its exact cosine and sine."""
     if isinstance(data, list | tuple):
         cosine, sine = read_vertex(data, path)
         if cosine * cosine + sine * sine != 1:
@@ -93,14 +89,12 @@ def read_turn(data: object, path: str) -> Turn:
 
 
 def read_id(data: object, path: str) -> str:
-    """Read a string."""
     if not isinstance(data, str):
         raise LayoutError(f"{path} is {quote(data)}, not a string")
     return data
 
 
 def read_flag(data: object, path: str) -> bool | None:
-    """Read true, false or null."""
     if data is not None and not isinstance(data, bool):
         raise LayoutError(f"{path} is {quote(data)}, not true or false")
     return data

@@ -2,7 +2,7 @@
 
 Let r be the required distance plus the errors of both solids. For r = 0, the shortest move ends at
 the nearest point of the no-fit polygon's boundary or of an exact fit. For r > 0, the moved part is
-enlarged by a polygon around a disc of radius r, so that contact keeps the distance; then the move
+enlarged by a polygon about a disc of radius r, so that contact keeps the distance; then the move
 is shortened in its direction. It exceeds the shortest move by at most r (1/cos(pi/32) - 1), about
 0.5 percent of r.
 """
@@ -35,11 +35,7 @@ _TINY = Fraction(1, 10**6)
 
 
 def find_depth_move(board: Board, placements: Sequence[int], bits: int) -> Point | None:
-    """Find the shortest move of the last placement without overlap, ignoring errors.
-
-    A single placement must avoid the outside and the defects; None if it fits nowhere at its
-    rotation.
-    """
+    """Find the shortest move of the last placement without overlap, ignoring errors, or None."""
     if not board.is_rounded(placements):
         return _find_move(board, placements, bits, Fraction(0))
     is_free = _make_overlap_judge(board, placements, bits)
@@ -50,10 +46,7 @@ def find_depth_move(board: Board, placements: Sequence[int], bits: int) -> Point
 
 
 def find_repair(board: Board, placements: Sequence[int], bits: int) -> Point | None:
-    """Find a shortest move that the judge accepts, for two placements, or one and the container.
-
-    Cost: two no-fit polygons, and for r > 0 about 30 judgements of the pair.
-    """
+    """Find a shortest move that the judge accepts, for two placements, or one and the container."""
     k = placements[-1]
     solid = board.solid(k, bits)
     if len(placements) > 1:
@@ -76,10 +69,7 @@ def find_repair(board: Board, placements: Sequence[int], bits: int) -> Point | N
 
 
 def find_free_move(board: Board, k: int) -> Point | None:
-    """Find a shortest move that frees a placement from all others and the container.
-
-    None if it would exceed half the size of the part in x or y.
-    """
+    """Find a shortest move, up to half the part's size, that frees a placement from all others."""
     layout = board.layout
     if board.is_rounded([k]):
         return None
@@ -220,7 +210,7 @@ def _make_room(board: Board) -> Region:
 
 
 def make_box(frame: tuple[int, int, int, int]) -> Region:
-    """Make a rectangle around a frame, with the size of the frame on each side."""
+    """Return a rectangle three times as large as a frame, with the same center."""
     west, south, east, north = frame
     across, up = east - west, north - south
     left, low, right, high = west - across, south - up, east + across, north + up

@@ -3,10 +3,10 @@
 Two convex pieces keep a distance if the difference of their moves is long enough in the direction
 that separates them, a linear condition. Hildreth's method finds the shortest moves that satisfy the
 conditions of all near pieces, in floats, which prove nothing: each round judges the moved layout
-and adds conditions. Deep overlaps use their shortest repair instead. A few rounds suffice if parts
-have room of the size of the faults, as after rounding; otherwise a valid layout nearby need not
-exist, and finding one is hard. After the last round, each faulty placement moves to the nearest
-position free of all others, if there is one.
+and adds conditions. Deep overlaps use their shortest repair instead. A few rounds suffice if the
+gaps between parts are as large as the faults, as after rounding; otherwise a valid layout nearby
+need not exist, and finding one is hard. After the last round, each faulty placement moves to the
+nearest position free of all others, if there is one.
 
 Source: Hildreth, "A quadratic programming procedure", Naval Research Logistics Quarterly 4, 1957.
 """
@@ -46,7 +46,7 @@ _MOVABLE = {"overlap", "outside", "too close", "undecided"}
 
 
 class _Condition(NamedTuple):
-    """A minimum length of the relative move in a unit direction; negative if there is room."""
+    """A minimum length of the relative move in a unit direction; negative if there is a gap."""
 
     placements: tuple[int, ...]
     x: float
@@ -55,13 +55,7 @@ class _Condition(NamedTuple):
 
 
 class RepairedLayout(NamedTuple):
-    """A valid layout near another one.
-
-    Attributes:
-        layout: the Layout.
-        moves: the moves by placement index.
-        judgement: its Judgement.
-    """
+    """A valid layout near another one, and the moves by placement index."""
 
     layout: Layout
     moves: dict[int, Point]
@@ -76,8 +70,8 @@ class RepairedLayout(NamedTuple):
 def repair_layout(judgement: Judgement) -> RepairedLayout | None:
     """Repair a layout by small moves.
 
-    None if no such moves were found, a fault is not one of position, or there are more than 2,000
-    faults.
+    None if no such moves were found, a fault does not depend on positions, or there are more than
+    2,000 faults.
 
     Cost: up to about thirty judgements, each with a few seconds of sweeps, plus the repairs of deep
         faults.
@@ -187,7 +181,7 @@ def _aim(at: tuple[int, ...], x: Fraction, y: Fraction, length: Fraction) -> _Co
 
 
 def _add_moves(one: _Condition, moves: dict[int, Point], more: Fraction) -> _Condition:
-    """Convert a condition on further moves to one on total moves, with extra room."""
+    """Convert a condition on further moves to one on total moves, longer by `more`."""
     x, y = moves.get(one.placements[-1], ORIGIN)
     if len(one.placements) > 1:
         before = moves.get(one.placements[0], ORIGIN)

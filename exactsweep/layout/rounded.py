@@ -5,9 +5,9 @@ and B be hulls with radii r and s, r + s > 0, and let d be their distance.
 
 (1) The interiors of the pieces are disjoint if and only if d >= r + s; then their distance is
     d - r - s. The square of d is rational, so every comparison with a rational is exact.
-(2) If the hulls overlap, let -d be the length of the shortest move that separates them, which is
-    the distance of the origin from the boundary of the convex set A - B. Then the shortest move
-    that separates the pieces always has length r + s - d.
+(2) If the hulls overlap, let -d be the length of the shortest move that separates them: the
+    distance of the origin from the boundary of the convex set A - B. Then the shortest move that
+    separates the pieces always has length r + s - d.
 (3) A piece is inside a container with hull C and radius R if and only if the signed distance of
     each of its vertices from C, negative inside, is at most R - r.
 """
@@ -34,19 +34,13 @@ _SIDES, _AREA_BITS = 32, 64
 
 
 class RoundedPiece(NamedTuple):
-    """All points at distance at most `radius` from the convex hull of a set of points.
+    """All points at distance at most `radius` from the convex hull of some points."""
 
-    Attributes:
-        points: the corners of the hull, counter-clockwise; one or two for a degenerate hull.
-        radius: at least 0, and positive for a degenerate hull.
-    """
-
-    points: Loop
-    radius: Fraction
+    points: Loop  # the corners, counter-clockwise; one or two for a degenerate hull
+    radius: Fraction  # at least 0, and positive for a degenerate hull
 
     @classmethod
     def from_json(cls, data: object, path: str) -> RoundedPiece:
-        """Read a piece; messages begin with the path."""
         found = read_object(data, path, ("points",), ("radius",))
         points = read_ring(found["points"], f"{path}.points")
         radius = read_gap(found.get("radius", 0), f"{path}.radius")
@@ -58,19 +52,18 @@ class RoundedPiece(NamedTuple):
         return cls(hull, radius)
 
     def to_json(self) -> dict[str, Any]:
-        """Return the fields; numbers are not converted."""
+        """Return the fields; numbers are not converted to strings."""
         return {"points": self.points, "radius": self.radius}
 
     @property
     def bounding_box(self) -> tuple[Point, Point]:
-        """The lower left and upper right corners of the bounding box."""
         xs, ys = zip(*self.points, strict=True)
         r = self.radius
         return Point(min(xs) - r, min(ys) - r), Point(max(xs) + r, max(ys) + r)
 
     @property
     def denominator(self) -> int:
-        """The common denominator of all coordinates and the radius."""
+        """The common denominator of the coordinates and the radius."""
         return lcm(self.radius.denominator, *(c.denominator for p in self.points for c in p))
 
     def bound_area(self, bits: int) -> tuple[Fraction, Fraction]:
@@ -87,12 +80,10 @@ class RoundedPiece(NamedTuple):
         return least, most
 
 
-BodyShape = Region | tuple[RoundedPiece, ...]
-"""The shape of a part or a defect: a polygon with holes, or a union of rounded pieces."""
+BodyShape = Region | tuple[RoundedPiece, ...]  # the shape of a part or a defect
 
 
 def read_pieces(data: object, path: str) -> tuple[RoundedPiece, ...]:
-    """Read a nonempty list of pieces."""
     pieces = read_list(data, path, RoundedPiece.from_json)
     if not pieces:
         raise LayoutError(f"{path} has no piece")
@@ -100,7 +91,7 @@ def read_pieces(data: object, path: str) -> tuple[RoundedPiece, ...]:
 
 
 def _list_squared_sides(points: Sequence[Point]) -> list[Fraction]:
-    """List the squared lengths of the sides; a segment has two sides."""
+    """List the squared lengths of the sides; a segment has two."""
     ends = pairwise((*points, points[0])) if len(points) > 1 else ()
     return [(q.x - p.x) ** 2 + (q.y - p.y) ** 2 for p, q in ends]
 
@@ -146,7 +137,7 @@ def bound_root(square: Fraction, bits: int) -> tuple[Fraction, Fraction]:
 
 
 def sign_square(length: Rational) -> Rational:
-    """Return the square of a number, with the sign of the number; this is monotone.
+    """Square a number and keep its sign, which is monotone.
 
     >>> sign_square(-3), sign_square(2)
     (-9, 4)
@@ -155,7 +146,7 @@ def sign_square(length: Rational) -> Rational:
 
 
 def surround(pieces: Sequence[RoundedPiece]) -> Region:
-    """Return a convex polygon around rounded pieces, with at most 32 sides around each corner.
+    """Circumscribe a convex polygon about rounded pieces, with at most 32 sides for each corner.
 
     >>> float(surround((RoundedPiece((ORIGIN,), Fraction(1)),)).area) < 3.16
     True
@@ -170,12 +161,12 @@ def surround(pieces: Sequence[RoundedPiece]) -> Region:
 
 
 def to_region(shape: BodyShape) -> Region:
-    """Return a Region unchanged; replace rounded pieces by a polygon around them."""
+    """Return a Region unchanged; replace rounded pieces by a circumscribed polygon."""
     return shape if isinstance(shape, Region) else surround(shape)
 
 
 def inscribe(piece: RoundedPiece) -> Region:
-    """Return a polygon inside a rounded piece, with at most 32 vertices around each corner."""
+    """Inscribe a polygon in a rounded piece, with at most 32 vertices for each corner."""
     around = _list_normals(_SIDES) if piece.radius else [ORIGIN]
     r = piece.radius
     corners = (Point(x + u * r, y + v * r) for x, y in piece.points for u, v in around)
@@ -204,10 +195,7 @@ def _list_normals(sides: int) -> list[Point]:
 
 
 def bound_area(shape: BodyShape | None) -> tuple[Fraction, Fraction] | None:
-    """Bound the area of a shape from below and above; None without a shape, or if pieces overlap.
-
-    Cost: O(n^2) for n rounded pieces.
-    """
+    """Bound the area of a shape, in O(n^2); None without a shape, or if rounded pieces overlap."""
     if shape is None:
         return None
     if isinstance(shape, Region):
@@ -222,27 +210,19 @@ def bound_area(shape: BodyShape | None) -> tuple[Fraction, Fraction] | None:
 
 
 class HullDistance(NamedTuple):
-    """The signed squared distance between two hulls; see (2).
-
-    Attributes:
-        n, d: the squared distance as n / d; n is negative if the hulls overlap.
-        points: the nearest point of each hull, equal if they touch; None if they overlap.
-        normal: the direction of the shortest move of the second hull that separates them.
-    """
+    """The signed squared distance n / d between two hulls, negative if they overlap; see (2)."""
 
     n: Rational
     d: Rational
-    points: tuple[Vertex, Vertex] | None
-    normal: Vertex
+    points: tuple[Vertex, Vertex] | None  # the nearest ones, equal if the hulls touch
+    normal: Vertex  # the direction of the shortest move of the second hull to contact
 
 
 def measure_hulls(one: Sequence[Vertex], other: Sequence[Vertex]) -> HullDistance:
-    """Measure the distance between two convex hulls.
+    """Measure the distance between two convex hulls, in O(m n).
 
     Corners are counter-clockwise; a degenerate hull has one or two. The edges of A - B are those of
     A and of -B.
-
-    Cost: O(m n).
 
     >>> square = [(0, 0), (2, 0), (2, 2), (0, 2)]
     >>> found = measure_hulls(square, [(4, 1)]), measure_hulls(square, [(1, 1), (9, 1)])
@@ -289,5 +269,5 @@ def measure_hulls(one: Sequence[Vertex], other: Sequence[Vertex]) -> HullDistanc
 
 
 def _list_edges(hull: Sequence[Vertex]) -> list[Edge]:
-    """List the edges of a hull; a segment has two, a point one with length 0."""
+    """List the edges; a segment has two, a point has one of length 0."""
     return [*pairwise((*hull, hull[0]))]

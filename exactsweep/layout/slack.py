@@ -3,7 +3,7 @@
 A convex container K shrinks about a corner c to c + s (K - c). For an edge with n.p <= h, a part
 with maximum m of n.p, including errors, is inside if m - n.c <= s (h - n.c). So the minimum s is a
 maximum of quotients. A disc shrinks about its center to the maximum distance of the parts' points.
-Numbers are rounded up, and the judge has accepted the shrunk layout.
+Numbers are rounded up, and the judge accepts the shrunk layout.
 """
 
 from __future__ import annotations
@@ -26,28 +26,16 @@ _BITS, _DIGITS = 128, 30
 
 
 class ProvedSlack(NamedTuple):
-    """The slack of a valid layout.
+    """The slack of a valid layout."""
 
-    Attributes:
-        layout: the Layout with the shrunk container.
-        scale: the scale factor of the container, at most 1.
-        center: the fixed point: a corner of a polygon, the center of a disc.
-        growth: a lower bound on the distance by which all parts can grow in place before two of
-            them touch or violate the spacing.
-    """
-
-    layout: Layout
-    scale: Fraction
-    center: Point
-    growth: Fraction
+    layout: Layout  # with the shrunk container
+    scale: Fraction  # of the container, at most 1
+    center: Point  # the fixed point: a corner of a polygon, the center of a disc
+    growth: Fraction  # all parts can grow by this in place, at the given spacing
 
 
 def find_slack(judgement: Judgement) -> ProvedSlack | None:
-    """Find how far the container of a valid layout can shrink, and its parts can grow.
-
-    None if the layout is not valid, has defects, or has no convex container.
-
-    Cost: linear, plus a judgement.
+    """Find the slack of a layout; None if it is invalid, has defects, or lacks a convex container.
 
     Example:
         >>> tile = {"id": "tile", "exterior": [[0, 0], [1, 0], [1, 1], [0, 1]]}

@@ -30,18 +30,15 @@ from exactsweep.geometry.vectors import find_hull
 from exactsweep.layout.rounded import BodyShape, RoundedPiece
 from exactsweep.numbers.number import Point
 
-LatticeBox = tuple[int, int, int, int]
-"""The left, right, low and high ends of a box."""
+LatticeBox = tuple[int, int, int, int]  # the left, right, low and high ends
 
-MatrixRows = tuple[int, int, int, int]
-"""The rows of a linear map."""
+MatrixRows = tuple[int, int, int, int]  # the rows of a linear map
 
-LatticePiece = tuple[ConvexRing, int]
-"""A convex hull, with one or two points if degenerate, and the radius around it."""
+LatticePiece = tuple[ConvexRing, int]  # a hull, which may be a point or a segment, and its radius
 
 
 class _Scalable:
-    """A form with cached images on finer lattices."""
+    """A form that caches its images on finer lattices."""
 
     @cached_property
     def _scaled(self) -> dict[int, Self]:
@@ -51,7 +48,7 @@ class _Scalable:
     def mapped(self, matrix: MatrixRows) -> Self: ...
 
     def scaled(self, factor: int) -> Self:
-        """Return the form on a lattice that is finer by a factor."""
+        """Return the form on a lattice that is `factor` times as fine."""
         found = self._scaled.get(factor)
         if found is None:
             found = self._scaled[factor] = self.mapped((factor, 0, 0, factor))
@@ -59,7 +56,7 @@ class _Scalable:
 
 
 class LatticeForm(_Scalable, EdgeIndex):
-    """A shape on a lattice, shared by solids.
+    """A shape on a lattice, shared by its solids.
 
     Args:
         rings: the rings, the exterior first, with the interior on the left.
@@ -76,7 +73,6 @@ class LatticeForm(_Scalable, EdgeIndex):
         self._cut = cut or (lambda: cut_to_convex(rings))
 
     def mapped(self, matrix: MatrixRows) -> Self:
-        """Return the image under a linear map."""
         return type(self)(
             [_map(ring, matrix) for ring in self.rings],
             lambda: [_map(piece, matrix) for piece in self.pieces],
@@ -84,22 +80,19 @@ class LatticeForm(_Scalable, EdgeIndex):
 
     @cached_property
     def hull(self) -> list[IntVertex]:
-        """The corners of the convex hull, counter-clockwise."""
         return find_hull(self.rings[0])
 
     @cached_property
     def pieces(self) -> list[ConvexRing]:
-        """The convex pieces of the form."""
         return self._cut()
 
     @property
     def rounded(self) -> list[LatticePiece]:
-        """The convex pieces, with radius 0."""
         return [(piece, 0) for piece in self.pieces]
 
 
 class RoundedForm(_Scalable):
-    """Rounded pieces on a lattice, shared by solids: counter-clockwise hulls with radii."""
+    """Rounded pieces on a lattice, shared by their solids: counter-clockwise hulls with radii."""
 
     is_rounded = True
 
@@ -114,7 +107,6 @@ class RoundedForm(_Scalable):
 
     @cached_property
     def box(self) -> LatticeBox:
-        """The box of all pieces."""
         boxes = [
             (min(xs) - radius, max(xs) + radius, min(ys) - radius, max(ys) + radius)
             for hull, radius in self.rounded
@@ -134,31 +126,23 @@ class OutsideForm(RoundedForm):
 
 
 class Solid(NamedTuple):
-    """A translated form on a lattice.
-
-    Attributes:
-        x, y: the translation.
-        scale: the scale of the lattice.
-        slack: a bound on the error of each point, by (3) and (4).
-        error: the part of the slack due to flattened curves.
-    """
+    """A form on a lattice, translated by (x, y)."""
 
     form: LatticeForm | RoundedForm
     x: int
     y: int
-    scale: int
-    slack: Fraction
-    error: Fraction = Fraction(0)
+    scale: int  # of the lattice
+    slack: Fraction  # a bound on the error of each point, by (3) and (4)
+    error: Fraction = Fraction(0)  # the part of the slack due to flattened curves
 
     @property
     def box(self) -> LatticeBox:
-        """The bounding box of the solid."""
         left, right, low, high = self.form.box
         x, y = self.x, self.y
         return left + x, right + x, low + y, high + y  # type: ignore[return-value]
 
     def on(self, scale: int) -> Solid:
-        """Return the solid on a finer lattice; the scale is a multiple of this scale."""
+        """Return the solid on a finer lattice, whose scale is a multiple of this one."""
         factor = scale // self.scale
         if factor == 1:
             return self
@@ -167,30 +151,28 @@ class Solid(NamedTuple):
 
     @property
     def pieces(self) -> list[ConvexRing]:
-        """The translated convex pieces."""
         x, y = self.x, self.y
         return [[(px + x, py + y) for px, py in piece] for piece in self.form.pieces]
 
     @property
     def rounded(self) -> list[LatticePiece]:
-        """The translated convex pieces, with their radii."""
         x, y = self.x, self.y
         return [([(px + x, py + y) for px, py in hull], r) for hull, r in self.form.rounded]
 
     def leave(self, x: int | Fraction, y: int | Fraction) -> Point:
-        """Convert lattice coordinates, possibly fractional, to a point of the plane."""
+        """Convert lattice coordinates, which may be fractions, to a point of the plane."""
         return Point(Fraction(x) / self.scale, Fraction(y) / self.scale)
 
 
 def _map(ring: IntRing, matrix: MatrixRows) -> list[IntVertex]:
-    """Return the image of a ring, with the interior on the left."""
+    """Map a ring, and keep the interior on the left."""
     a, b, c, d = matrix
     image = [(a * x + b * y, c * x + d * y) for x, y in ring]
     return image if a * d > b * c else image[::-1]
 
 
 def make_form(shape: BodyShape) -> tuple[int, LatticeForm | RoundedForm]:
-    """Return the scale of a shape's lattice, and its form there."""
+    """Return the scale of a shape's lattice, and the shape on it."""
     if isinstance(shape, Region):
         scale, rings = shape.lattice()
         return scale, LatticeForm(rings)  # type: ignore[arg-type]
@@ -200,7 +182,6 @@ def make_form(shape: BodyShape) -> tuple[int, LatticeForm | RoundedForm]:
 def make_rounded_form(
     pieces: Sequence[RoundedPiece], kind: type[RoundedForm]
 ) -> tuple[int, RoundedForm]:
-    """Return the scale of the lattice of rounded pieces, and their form there."""
     scale = lcm(*(piece.denominator for piece in pieces))
     rounded = [
         (
@@ -213,7 +194,7 @@ def make_rounded_form(
 
 
 def put_on_lattice(value: Fraction, scale: int) -> int:
-    """Return a number times the scale of its lattice, an int.
+    """Multiply a number by the scale of its lattice, which gives an int.
 
     >>> put_on_lattice(Fraction(1, 2), 6)
     3
@@ -225,7 +206,7 @@ def put_on_lattice(value: Fraction, scale: int) -> int:
 
 
 def measure_slack(shape: BodyShape, error: Fraction) -> Fraction:
-    """Return the slack of a shape for an error of its rotation, by (3).
+    """Bound the error of a shape by (3), given the error of its rotation.
 
     >>> measure_slack(Region([(0, 0), (3, 0), (3, -4)]), Fraction(1, 100))
     Fraction(21, 200)
@@ -239,7 +220,6 @@ def measure_slack(shape: BodyShape, error: Fraction) -> Fraction:
 
 
 def share_scale(a: Solid, b: Solid) -> tuple[Solid, Solid]:
-    """Return two solids on a common lattice."""
     if a.scale == b.scale:
         return a, b
     scale = lcm(a.scale, b.scale)
@@ -247,7 +227,6 @@ def share_scale(a: Solid, b: Solid) -> tuple[Solid, Solid]:
 
 
 def meet(a: Solid, b: Solid) -> Relation:
-    """Return the Relation of two polygonal solids on a common lattice."""
     assert isinstance(a.form, LatticeForm)
     assert isinstance(b.form, LatticeForm)
     return relate(a.form, b.form, b.x - a.x, b.y - a.y)

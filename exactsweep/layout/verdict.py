@@ -28,45 +28,29 @@ from exactsweep.layout.nearest import find_gap
 from exactsweep.layout.solid import Solid, meet, share_scale
 from exactsweep.numbers.number import Point
 
-MOST_BITS = 256
-"""Maximum precision of rational rotations, in bits."""
+MOST_BITS = 256  # the maximum precision of rational rotations
 
 # Rotations are precise enough once the slack of curves is this many times theirs, by (3).
 _SHARE = 1000
 
 
 class PairVerdict(NamedTuple):
-    """The relation of two solids.
+    """The relation of two solids."""
 
-    Attributes:
-        meeting: a Relation; None if undecided.
-        gap: the SquaredDistance, if less than required; for rounded solids rounded up, with
-            relative error at most 2^-63.
-        too_close: whether the distance is less than required; None if undecided.
-        bits: the precision of the rotations.
-        slack: the sum of both slacks; 0 for exact rotations of polygons.
-        error: the part of the slack due to flattened curves.
-    """
-
-    meeting: Relation | None
-    gap: SquaredDistance | None
-    too_close: bool | None
-    bits: int
-    slack: Fraction
-    error: Fraction = Fraction(0)
+    meeting: Relation | None  # None if undecided
+    gap: SquaredDistance | None  # if less than required; rounded up by 2^-63 for rounded solids
+    too_close: bool | None  # whether it is less than required; None if undecided
+    bits: int  # the precision of the rotations
+    slack: Fraction  # of both solids; 0 for exact rotations of polygons
+    error: Fraction = Fraction(0)  # the part of the slack due to flattened curves
 
 
+# Returns the pair of solids, with rotation errors of at most 2**-bits.
 Refine = Callable[[int], tuple[Solid, Solid]]
-"""A function that returns the pair of solids, with rotation errors of at most 2**-bits."""
 
 
 def judge_pair(refine: Refine, bits: int, spacing: Fraction) -> PairVerdict:
-    """Decide the relation of two solids, and whether they are less than the spacing apart.
-
-    The precision of rotations starts at `bits` and doubles until the verdict is proved.
-
-    Cost: `meet`; with a spacing or inexact rotations also `find_gap`.
-    """
+    """Judge two solids, doubling the precision of rotations until the verdict is proved."""
     while True:
         a, b = share_scale(*refine(bits))
         found = _decide(a, b, bits, spacing)
@@ -121,5 +105,5 @@ def _decide_rounded(a: Solid, b: Solid, bits: int, spacing: Fraction) -> PairVer
 
 
 def find_witness(a: Solid, b: Solid) -> Point | None:
-    """Find a point inside both true solids, by (2); None if not found. They share a lattice."""
+    """Find a point inside both true solids by (2); None if not found. They share a lattice."""
     return find_rounded_witness(a, b) if is_rounded(a, b) else find_deep_point(a, b)

@@ -27,12 +27,7 @@ def write_layout_page(
     y_down: bool = False,
     context: ReportContext = NO_CONTEXT,
 ) -> str:
-    """Write a judged layout as an HTML page, with pictures of the worst faults.
-
-    Takes the arguments of `report_layout` and `draw_layout`.
-
-    Cost: as for `draw_layout`.
-    """
+    """Write a judged layout as an HTML page; arguments as for `report_layout` and `draw_layout`."""
     from markupsafe import Markup
 
     environment = make_environment()

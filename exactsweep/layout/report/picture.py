@@ -37,27 +37,19 @@ _WIDTH, _NARROW, _LEAST, _MOST = 960, 480, 160, 640
 _MARGIN, _GAP, _LINE = 14, 20, 20
 _MOST_ENLARGED, _MOST_LABELLED = 12, 150
 
-SIDE = 218
-"""The side of an enlarged square, in pixels."""
+SIDE = 218  # of an enlarged square, in pixels
 
 _ROUND = 3
 _BITS = 64
 
 
 def write_style() -> str:
-    """Return the style sheet of the pictures."""
     own = files("exactsweep.layout.report").joinpath("picture.css").read_text("utf-8")
     return style.write_style_sheet() + "\n" + own.replace("$fault", style.RED)
 
 
 class Enlarged(NamedTuple):
-    """An enlarged detail of a fault.
-
-    Attributes:
-        number: the number of the fault, from 1.
-        caption: the description of the fault, and the width of the detail.
-        svg: the SVG elements of a square of SIDE pixels.
-    """
+    """An enlarged fault: its number from 1, a caption, and the SVG of a square of SIDE pixels."""
 
     number: int
     caption: str
@@ -72,14 +64,10 @@ def draw_layout(
     y_down: bool = False,
     context: ReportContext = NO_CONTEXT,
 ) -> str:
-    """Draw a layout as an SVG image with its faults enlarged below.
-
-    Takes the arguments of `report_layout`; with `y_down`, Y points down.
+    """Draw a layout as an SVG image, with its faults enlarged below; with `y_down`, Y points down.
 
     Raises:
         DrawError: a point is too far outside the picture.
-
-    Cost: linear in the vertices of the placed parts and of the enlarged faults.
     """
     width, height, main = draw_parts(judgement, ranked, y_down=y_down)
     panels = enlarge_faults(judgement, ranked, y_down=y_down, context=context)
@@ -105,12 +93,7 @@ def draw_layout(
 
 
 class LayoutPicture:
-    """The picture of a judged layout in a notebook.
-
-    Args:
-        judgement: a Judgement.
-
-    Cost: `draw_layout` and `rank_faults`, when shown.
+    """The picture of a Judgement in a notebook; faults are ranked and drawn when it is shown.
 
     Example:
         >>> from exactsweep.corpus import find_layout_case
@@ -179,7 +162,6 @@ def enlarge_faults(
     y_down: bool = False,
     context: ReportContext = NO_CONTEXT,
 ) -> list[Enlarged]:
-    """Draw the worst faults, enlarged."""
     layout = judgement.layout
     found = []
     shown = [one for one in ranked if one.fault.points][:_MOST_ENLARGED]
@@ -247,7 +229,7 @@ def list_walls(layout: Layout) -> tuple[DrawnShape, list[DrawnShape]]:
 
 
 def find_inner_point(judgement: Judgement, k: int) -> Point | None:
-    """Return a point inside a placed part, in its largest piece; None if it is not simple."""
+    """Return a point in the largest piece of a placed part; None if it is not simple."""
     if k not in judgement._board.placed:
         return None
     solid = judgement._board.solid(k)
@@ -258,7 +240,6 @@ def find_inner_point(judgement: Judgement, k: int) -> Point | None:
 
 
 def place_shape(layout: Layout, k: int) -> DrawnShape:
-    """Return a placement as a shape to draw."""
     if layout.part_by_id[layout.placements[k].part].pieces:
         return DrawnShape((), place_pieces(layout, k))
     return DrawnShape(place_part(layout, k))

@@ -43,9 +43,7 @@ def report_layout(
         terminal_width: the width of the terminal in columns; None for plain text.
         notes: further remarks.
         everything: whether to list all faults.
-        context: facts of the file, and the accepted depth.
-
-    Cost: `rank_faults` and `Judgement.distance`.
+        context: facts about the file, and the accepted depth.
 
     Example:
         >>> from exactsweep.layout import Layout, judge_layout
@@ -115,7 +113,6 @@ def list_measures(
 
 
 def tell_error(error: Fraction) -> str:
-    """Describe the error of flattened curves."""
     return f"flattened within {approximate(error, up=True)}; the verdict holds for the curves"
 
 
@@ -124,10 +121,7 @@ def write_verdict(
     ranked: Sequence[WorstFirst] = (),
     context: ReportContext = NO_CONTEXT,
 ) -> str:
-    """Describe the verdict; count the faults of each kind.
-
-    The ranked faults are needed if some depth is accepted.
-    """
+    """Describe the verdict; `ranked` is needed if some depth is accepted."""
     accepted = [one for one in ranked if one.accepted]
     kinds = Counter(fault.kind for fault in judgement.faults)
     kinds.subtract(one.fault.kind for one in accepted)
@@ -222,13 +216,7 @@ def write_layout_json(
     ranked: Sequence[WorstFirst] | None = None,
     context: ReportContext = NO_CONTEXT,
 ) -> str:
-    """Format a judgement as JSON.
-
-    Placements are ints, other numbers are strings that `to_fraction` reads. Arguments are those of
-    `report_layout`.
-
-    Cost: `rank_faults` and `Judgement.distance`.
-    """
+    """Format a judgement as JSON; arguments as for `report_layout`."""
     nearest = judgement.distance
     ranked = rank_faults(judgement, accepted=context.accepted) if ranked is None else ranked
     data: dict[str, Any] = {
@@ -282,7 +270,7 @@ def _list_fault(
 
 
 def _write_about(point: Point, box: tuple[Point, Point] | None = None) -> str:
-    """Round a point with enough digits for the size of a box far from the origin."""
+    """Round a point, with enough digits if the box is small and far from the origin."""
     size = max((b - a for a, b in zip(*box, strict=True)), default=0) if box else 0
     rounded = []
     for c in point:

@@ -12,8 +12,7 @@ from exactsweep.numbers.number import ORIGIN
 from exactsweep.text.report import take_root
 from exactsweep.words import spell_out
 
-MOST_MEASURED = 200
-"""The number of faults to measure, unless all of these are tiny."""
+MOST_MEASURED = 200  # faults, unless all of these are tiny
 
 # Faults this many times smaller than the layout look like rounding.
 _ROUNDING = 10**6
@@ -21,18 +20,11 @@ _MEASURED = "overlap", "outside", "too close"
 
 
 class WorstFirst(NamedTuple):
-    """A fault and its measure.
-
-    Attributes:
-        fault: the Fault.
-        square: the squared depth of an overlap or of a part outside, or the squared distance of
-            parts too close; None if undefined or not computed.
-        accepted: whether the fault is within the accepted depth.
-    """
+    """A fault and its measure."""
 
     fault: Fault
-    square: Fraction | None
-    accepted: bool = False
+    square: Fraction | None  # the squared depth, or the squared distance of parts too close
+    accepted: bool = False  # whether it is within the accepted depth
 
     @property
     def depth(self) -> Fraction:
@@ -53,19 +45,12 @@ class WorstFirst(NamedTuple):
 
 
 class ReportContext(NamedTuple):
-    """Facts about the file of a layout, and the accepted depth.
+    """Facts about the file of a layout, and the accepted depth."""
 
-    Attributes:
-        unchecked: rules and shapes that were not judged.
-        places: the location of each placement in the file; empty if unknown.
-        unit: the unit of length, such as "mm"; "" if unknown.
-        accepted: the depth up to which faults are accepted, or None.
-    """
-
-    unchecked: Sequence[str] = ()
-    places: Sequence[str] = ()
-    unit: str = ""
-    accepted: Fraction | None = None
+    unchecked: Sequence[str] = ()  # rules and shapes that were not judged
+    places: Sequence[str] = ()  # the location of each placement in the file
+    unit: str = ""  # of length, such as "mm"
+    accepted: Fraction | None = None  # faults up to this depth are accepted
 
     def name_placement(self, judgement: Judgement, k: int) -> str:
         """Return the index of a placement, the id of its part and its location in the file."""
@@ -75,18 +60,15 @@ class ReportContext(NamedTuple):
         return spell_out(f"{name} ({place})" if place else name)
 
     def name_placements(self, judgement: Judgement, fault: Fault) -> str:
-        """Return the names of the placements of a fault, or its part."""
         if fault.part is not None and len(fault.placements) != 1:
             return spell_out(f"part {fault.part}")
         return " and ".join(self.name_placement(judgement, k) for k in fault.placements)
 
     def add_unit(self, length: str) -> str:
-        """Append the unit to a length."""
         return f"{length} {self.unit}" if self.unit else length
 
 
-NO_CONTEXT = ReportContext()
-"""The context of a layout without a file."""
+NO_CONTEXT = ReportContext()  # of a layout without a file
 
 
 def rank_faults(
@@ -94,17 +76,11 @@ def rank_faults(
     tell: Callable[[int, int], object] = lambda done, total: None,
     accepted: Fraction | None = None,
 ) -> list[WorstFirst]:
-    """Sort the faults of a judgement: accepted ones last, by kind, the worst first.
+    """Sort the faults of a judgement: accepted ones last, then by kind, the worst first.
 
-    MOST_MEASURED faults are measured, beginning with the greatest overlaps of boxes; further ones
-    if all of these are tiny, and all if some depth is accepted.
-
-    Args:
-        judgement: a Judgement.
-        tell: called with the number of measured faults and the total.
-        accepted: the depth up to which faults are accepted.
-
-    Cost: as for `Fault.depth_squared` for each measured fault.
+    At most MOST_MEASURED faults are measured, beginning with the greatest overlaps of boxes; more
+    if all of these are tiny, and all if some depth is accepted. `tell` is called with the number of
+    measured faults and the total.
     """
     order, faults = get_args(FaultKind), judgement.faults
     total = len(faults)
