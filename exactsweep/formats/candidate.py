@@ -46,7 +46,7 @@ class NamedPolygon(NamedTuple):
 
 
 class NamedRegion(NamedTuple):
-    """A polygon in a file, with its holes; attributes as for `NamedPolygon`."""
+    """A polygon with holes in a file; attributes as for `NamedPolygon`."""
 
     region: Region
     name: str | None = None
@@ -54,45 +54,28 @@ class NamedRegion(NamedTuple):
     error: Fraction = Fraction(0)
 
     def turned(self) -> Self:
-        """Return the polygon with the Y axis flipped."""
+        """Flip the Y axis."""
         return self._replace(region=self.region.scaled((1, -1)))
 
 
 class Candidate(NamedTuple):
-    """A polygon in a file, read on demand; its errors do not affect others.
+    """A polygon in a file, parsed on demand, so that an invalid one does not affect others."""
 
-    Attributes:
-        place: its location in the file, for messages; "" if the errors of `vertices` state it.
-        vertices: reads the vertices, or raises FormatError.
-        name, layer: its id and its layer, or None.
-        holes: finds the inner rings, in order, or raises FormatError.
-        fault: why it is not a polygon, if known before reading; else "".
-        ornament: whether it cannot be part of any outline.
-        error: as for `NamedPolygon`.
-        rule: the fill rule for rings that touch or cross themselves; None to reject them.
-        clean: the minimum area of the regions to read.
-        finer: flattens its curves at another tolerance; returns None on failure.
-        words: its SVG classes.
-        groups: the ids of the SVG groups around it.
-        rounded: its hull and radius, if it is a disc, a slot or a rounded rectangle.
-        points: the vertices of rejected open lines.
-    """
-
-    place: str
-    vertices: Callable[[], Sequence[Point]]
+    place: str  # in the file, for messages; "" if the errors of `vertices` include it
+    vertices: Callable[[], Sequence[Point]]  # parses the vertices, or raises FormatError
     name: str | None = None
     layer: str | None = None
-    holes: Callable[[], Sequence[Candidate]] = tuple
-    fault: str = ""
-    ornament: bool = False
+    holes: Callable[[], Sequence[Candidate]] = tuple  # the inner rings
+    fault: str = ""  # why it is not a polygon, if known before parsing
+    ornament: bool = False  # whether it cannot be part of any outline
     error: Fraction = Fraction(0)
-    rule: Rule | None = None
-    clean: Fraction = Fraction(0)
-    finer: Callable[[Fraction], Candidate | None] | None = None
-    words: tuple[str, ...] = ()
-    groups: tuple[str, ...] = ()
-    rounded: RoundedOutline | None = None
-    points: tuple[Point, ...] = ()
+    rule: Rule | None = None  # for rings that touch or cross themselves; None to reject them
+    clean: Fraction = Fraction(0)  # the minimum area of the regions to read
+    finer: Callable[[Fraction], Candidate | None] | None = None  # flattens at another tolerance
+    words: tuple[str, ...] = ()  # SVG classes
+    groups: tuple[str, ...] = ()  # ids of the SVG groups around it
+    rounded: RoundedOutline | None = None  # if it is a disc, a slot or a rounded polygon
+    points: tuple[Point, ...] = ()  # the vertices of rejected open lines
 
     @classmethod
     def refused(
@@ -103,7 +86,6 @@ class Candidate(NamedTuple):
         *,
         ornament: bool = False,
     ) -> Self:
-        """Make a candidate that raises FormatError."""
         fault = str(reason)
 
         def vertices() -> NoReturn:
@@ -112,7 +94,6 @@ class Candidate(NamedTuple):
         return cls("", vertices, name, layer, fault=fault, ornament=ornament)
 
     def rejected(self, reason: str, *, ornament: bool = False) -> Self:
-        """Return a candidate that raises FormatError, with the same name, layer and groups."""
         found = type(self).refused(reason, self.name, self.layer, ornament=ornament)
         return found._replace(groups=self.groups)
 
@@ -125,7 +106,7 @@ class Candidate(NamedTuple):
         layer: str | None = None,
         error: Fraction = Fraction(0),
     ) -> Self:
-        """Make a candidate from (place, reader) pairs, the exterior first."""
+        """Make a candidate from pairs (place, parser), the exterior first."""
         exterior, *holes = (cls(where, read) for where, read in rings)
         return exterior._replace(
             place=place or exterior.place,
@@ -136,7 +117,6 @@ class Candidate(NamedTuple):
         )
 
     def turned(self) -> Self:
-        """Return the polygon with the Y axis flipped."""
         return self._replace(
             vertices=lambda: [Point(p.x, -p.y) for p in self.vertices()],
             holes=lambda: [hole.turned() for hole in self.holes()],
@@ -144,13 +124,12 @@ class Candidate(NamedTuple):
         )
 
     def polygon(self) -> Polygon:
-        """Read the polygon; raises FormatError, or PolygonError if it is not simple."""
+        """Parse the polygon; raises FormatError, or PolygonError if it is not simple."""
         for hole in self.holes():
             raise FormatError(f"{hole.place}: a hole; read it as a Region")
         return self._read(self._make_polygon)
 
     def region(self) -> Region:
-        """Read the polygon with its holes; raises like `polygon`."""
         holes = self.holes()
         if not holes:
             return Region(self.polygon())
@@ -159,7 +138,7 @@ class Candidate(NamedTuple):
         )
 
     def read(self, read: Callable[[Candidate], _Any], said: Said) -> list[_Any]:
-        """Read the outline, or the regions that it fills if it is not simple."""
+        """Read the outline or, if it is not simple, the regions that it fills."""
         if not self.clean:
             try:
                 return [read(self)]
@@ -169,7 +148,7 @@ class Candidate(NamedTuple):
         return [*map(read, self.split(said))]
 
     def split(self, said: Said) -> list[Candidate]:
-        """Return the outline or the regions that it fills; drop those smaller than `clean`."""
+        """Return the outline or the regions that it fills, except those smaller than `clean`."""
         pieces: list[Candidate] = [self]
         try:
             self.region()
@@ -194,7 +173,6 @@ class Candidate(NamedTuple):
         return found
 
     def take_filled(self, filled: Filled) -> list[Self]:
-        """Return one candidate per filled region."""
         error = self.error + round_root_up(filled.hidden)
         found: list[Self] = []
         for region in filled.regions:
@@ -218,11 +196,10 @@ class Candidate(NamedTuple):
         return known or Polygon(points)
 
     def shape(self) -> AnyPolygon:
-        """Read a Polygon, or with holes a Region."""
         return self.region() if self.holes() else self.polygon()
 
     def _short_vertices(self) -> Sequence[Point]:
-        """Read the vertices; reject numbers beyond `max_digits`, as transformations can yield."""
+        """Parse the vertices; reject numbers that transformations made too long."""
         points = self.vertices()
         numbers = (n for c in chain.from_iterable(points) for n in c.as_integer_ratio())
         longest = max(map(abs, numbers), default=0)
@@ -239,26 +216,22 @@ class Candidate(NamedTuple):
             raise kind(f"{self.place}: {error}" if self.place else str(error)) from None
 
     def named_polygon(self) -> NamedPolygon:
-        """Read the polygon with its name and layer."""
         return NamedPolygon(self.polygon(), self.name, self.layer, self.error)
 
     def named_region(self) -> NamedRegion:
-        """Read the region with its name and layer."""
         return NamedRegion(self.region(), self.name, self.layer, self.error)
 
     def named_polygons(self, said: Said) -> list[NamedPolygon]:
-        """Read the polygon, or the polygons that it fills if it is not simple."""
         return self.read(Candidate.named_polygon, said)
 
     def named_regions(self, said: Said) -> list[NamedRegion]:
-        """Read the region, or the regions that it fills if it is not simple."""
         return self.read(Candidate.named_region, said)
 
 
 def choose_same(
     pieces: Sequence[Candidate], k: int, others: Sequence[Candidate]
 ) -> Candidate | None:
-    """Return the region that is piece k at another tolerance; None if the regions differ."""
+    """Return the region that corresponds to piece k at another tolerance, or None."""
     if len(pieces) != len(others):
         return None
     one, other = pieces[k], others[k]

@@ -14,7 +14,7 @@ _SHOWN = 4
 
 
 def choose(candidates: Sequence[Candidate], choice: str | None) -> Candidate:
-    """Return the candidate selected by a choice, or the only one; raises FormatError."""
+    """Return the selected candidate, or the only one; raises FormatError."""
     if choice is not None:
         found = select(candidates, choice)
         if len(found) == 1:
@@ -51,10 +51,10 @@ def choose(candidates: Sequence[Candidate], choice: str | None) -> Candidate:
 
 
 def select(candidates: Sequence[Candidate], choice: str) -> list[Candidate]:
-    """Return all candidates with a name, an index from 0, a layer or a group, in this priority.
+    """Return all candidates with the given name, index, layer or group, in this priority.
 
-    The prefix "layer:" selects layers only. Rejected candidates of a layer are dropped if it has
-    others. In a group, outlines inside others are holes. Raises FormatError if nothing matches.
+    The prefix "layer:" selects only layers. If a layer has valid candidates, its rejected ones are
+    dropped. In a group, outlines inside others are holes.
     """
     named = [candidate for candidate in candidates if candidate.name == choice]
     prefix, _, layer = choice.partition("layer:")

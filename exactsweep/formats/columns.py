@@ -8,6 +8,7 @@ from collections.abc import Iterable, Sequence
 from exactsweep.formats.error import FormatError
 from exactsweep.numbers.error import quote
 
+# Column names by meaning.
 COLUMNS = {
     "x": ("x", "tx", "dx", "pos_x", "x_pos", "center_x", "x_center", "cx"),
     "y": ("y", "ty", "dy", "pos_y", "y_pos", "center_y", "y_center", "cy"),
@@ -22,8 +23,6 @@ COLUMNS = {
     "group": ("group", "layout", "sheet", "bin", "case", "puzzle", "board", "n"),
     "id": ("id",),
 }
-"""Column names by meaning."""
-
 _MEANINGS = {name: meaning for meaning, names in COLUMNS.items() for name in names}
 # With one of these, x and y are positions.
 _PLACING = {"angle", "radians", "radius", "mirrored"}
@@ -32,7 +31,7 @@ _OTHER = re.compile(r"[^a-z0-9]+")
 
 
 def name_columns(head: Iterable[str]) -> dict[str, str]:
-    """Map each meaning to its column; raise FormatError if it has two.
+    """Map each meaning to its column; raise FormatError for two columns with one meaning.
 
     >>> name_columns(["X", "y", "Angle (rad)"])
     {'x': 'X', 'y': 'y', 'radians': 'Angle (rad)'}

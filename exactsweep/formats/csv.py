@@ -32,14 +32,14 @@ _RowsByRing = dict[str, list[tuple[int, str, str]]]
 
 
 def is_csv(text: str) -> bool:
-    """Return whether text begins with two numbers, or a header with x and y or WKT."""
+    """Return whether text begins with two numbers, or with a header with x and y or WKT."""
     head = _head(text)
     is_table = {"x", "y"} <= head or not head.isdisjoint(_WKT)
     return is_table or bool(_NUMBERS.match(text.lstrip().partition("\n")[0]))
 
 
 def count_vertices(text: str) -> int:
-    """Bound the number of vertices by the rows, or the commas of WKT."""
+    """Bound the number of vertices by the number of rows, or of commas in WKT."""
     return text.count("\n" if {"x", "y"} <= _head(text) or _NUMBERS.match(text) else ",")
 
 
@@ -49,14 +49,14 @@ def _head(text: str) -> set[str]:
 
 
 def parse_csv(text: str) -> list[Candidate]:
-    r"""Find the polygons of a table; raises FormatError for short rows and repeated columns.
+    r"""Find the polygons of a table.
 
-    Each row has one vertex, in columns x and y, or without a header in the first two. A column
-    "name", "id" or "part" names the polygon, "polygon" distinguishes polygons with equal names, and
-    "ring" distinguishes rings, the exterior first. Alternatively, each row has one polygon in a
-    column "wkt" or "geometry", or one rectangle with "width" and "height", "w" and "h", or "lx" and
-    "ly". Commas, semicolons or tabs separate columns; with the latter two, the decimal point may be
-    a comma.
+    Each row has one vertex, in columns x and y, or without a header in the first two columns. A
+    column "name", "id" or "part" names the polygon, "polygon" distinguishes polygons with the same
+    name, and "ring" distinguishes rings, exterior first. Alternatively, each row has one polygon in
+    a column "wkt" or "geometry", or one rectangle with "width" and "height", "w" and "h", or "lx"
+    and "ly". Commas, semicolons or tabs separate columns; with semicolons or tabs, the decimal
+    point may be a comma.
 
     Example:
         >>> [(c.name, len(c.vertices())) for c in parse_csv("name,x,y\na,0,0\na,1,0\na,0,1\n")]
@@ -151,7 +151,6 @@ def _vertices(cells: Sequence[tuple[int, str, str]]) -> list[Point]:
 
 
 def write_csv_rows(rows: Iterable[Sequence[object]]) -> str:
-    """Format rows as CSV."""
     text = StringIO()
     csv.writer(text, lineterminator="\n").writerows(rows)
     return text.getvalue()

@@ -10,10 +10,8 @@ from exactsweep.numbers.digits import abridge, format_fraction, write_int
 from exactsweep.numbers.error import NumberError, quote
 from exactsweep.numbers.number import Point, to_fraction
 
-# Possessive, so that a long number followed by a letter fails in linear time.
+# For `read_decimal`; possessive, so that a long number and a letter fail in linear time.
 DECIMAL = r"[+-]?(?:[0-9]++\.?+[0-9]*+|\.[0-9]++)(?:[eE][+-]?[0-9]++)?+"
-"""The pattern of `read_decimal`."""
-
 _DECIMAL = re.compile(DECIMAL)
 _DECIMALS = re.compile(rf"(?:[\s,]*+{DECIMAL})*+[\s,]*+")
 _SHOWN = 10
@@ -40,14 +38,13 @@ def read_decimal(text: str) -> Fraction:
 
 
 def read_decimals(text: str) -> list[Fraction]:
-    """Read decimals separated by blanks or commas, which are optional before a sign or point."""
+    """Read decimals separated by blanks or commas, optional before a sign or point."""
     if not _DECIMALS.fullmatch(text):
         raise FormatError(f"{quote(text)} is not a list of decimal numbers")
     return [*map(read_decimal, _DECIMAL.findall(text))]
 
 
 def read_points(text: str) -> list[Point]:
-    """Read an even number of decimals as points."""
     numbers = read_decimals(text)
     if len(numbers) % 2:
         raise FormatError("points: an odd number of coordinates")
@@ -55,12 +52,12 @@ def read_points(text: str) -> list[Point]:
 
 
 def count_decimals(text: str) -> int:
-    """Count the numbers of `read_decimals` without reading them."""
+    """Count the numbers of `read_decimals` without parsing them."""
     return sum(1 for _ in _DECIMAL.finditer(text))
 
 
 def format_decimal(value: Fraction) -> str:
-    """Format a number as an exact decimal; raises FormatError if it has none, like 1/3.
+    """Format a number as an exact decimal; raises FormatError for numbers such as 1/3.
 
     >>> format_decimal(Fraction(-7, 2)), format_decimal(Fraction(1, 1024))
     ('-3.5', '0.0009765625')
@@ -90,7 +87,6 @@ def show_point(point: Point) -> str:
 
 
 def show_number(value: Fraction) -> str:
-    """Format a number for a message, like `show_point`."""
     if value.denominator == 1 and abs(value) < 10**_SHOWN:
         return str(value)
     with suppress(FormatError):

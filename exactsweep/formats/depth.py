@@ -1,4 +1,4 @@
-"""Nesting of outlines: polygons, their holes, polygons in these holes, and so on.
+"""Nesting of outlines: polygons, holes, polygons inside holes, and so on.
 
 Outlines may cross, since parts may overlap; one inside two crossing outlines is ambiguous.
 """
@@ -21,19 +21,12 @@ from exactsweep.numbers.error import quote
 
 
 class Nested(NamedTuple):
-    """Outlines after nesting.
-
-    Attributes:
-        outlines: one for each ring inside an even number of others, with the rings directly inside
-            as holes, and one for each ring that is not simple.
-        holes: pairs of an outline that became a hole and the outline around it.
-        islands: pairs of a polygon in a hole and that hole.
-        ambiguous: pairs of an outline and two crossing outlines around it, not in `outlines`.
-    """
-
+    # Rings inside an even number of others, with the rings directly inside as holes, and rings that
+    # are not simple.
     outlines: list[Candidate]
-    holes: list[tuple[Candidate, Candidate]]
-    islands: list[tuple[Candidate, Candidate]]
+    holes: list[tuple[Candidate, Candidate]]  # outlines read as holes, and the outlines around them
+    islands: list[tuple[Candidate, Candidate]]  # polygons inside holes, and these holes
+    # Outlines inside two crossing ones, not in `outlines`.
     ambiguous: list[tuple[Candidate, tuple[Candidate, Candidate]]]
 
 
@@ -56,7 +49,7 @@ def nest_candidates(outlines: Sequence[Candidate]) -> list[Candidate]:
 
 
 def nest_lines(outlines: Sequence[Candidate]) -> list[Candidate]:
-    """Turn the outlines of one shape into regions with holes; ambiguous ones remain separate."""
+    """Turn the outlines of one shape into regions with holes; ambiguous ones stay separate."""
     found = nest_outlines(outlines)
     return [*found.outlines, *(outline for outline, _ in found.ambiguous)]
 
@@ -74,13 +67,11 @@ def separate_holes(outline: Candidate) -> tuple[Region, list[Region]]:
 
 
 def tell_ambiguity(outline: Candidate, around: Sequence[Candidate]) -> str:
-    """Describe an outline inside two crossing ones."""
     one, other = (tell_place(ring) for ring in around)
     return f"{tell_place(outline)} is inside {one} and inside {other}, which cross"
 
 
 def tell_place(outline: Candidate) -> str:
-    """Return the location of an outline and its name, for messages."""
     if outline.name and quote(outline.name) not in outline.place:
         return f"{outline.place or 'outline'} {quote(outline.name)}"
     return outline.place or "the exterior"
@@ -155,7 +146,7 @@ def nest_outlines(outlines: Sequence[Candidate]) -> Nested:
 
 
 class _OwnedRing(NamedTuple):
-    """A ring, its polygon if simple, and for a given hole the index of its exterior."""
+    """A ring, its polygon if simple, and the index of its exterior if it is a given hole."""
 
     outline: Candidate
     polygon: Polygon | None
@@ -177,7 +168,6 @@ def _join(rings: Sequence[_OwnedRing], exterior: int, holes: Sequence[int]) -> C
 def _find_finer(
     outline: Candidate, own: Sequence[Candidate], others: Sequence[Candidate], tolerance: Fraction
 ) -> Candidate | None:
-    """Flatten an outline with its own holes, and others, more finely; None on failure."""
     found = []
     for one in (outline, *others):
         finer = one.finer(tolerance) if one.finer else None if one.error else one
@@ -200,17 +190,11 @@ def _find_polygon(ring: Candidate) -> Polygon | None:
 
 
 class _Nesting(NamedTuple):
-    """The nesting of polygons; the first of equal ones represents all.
+    """The nesting of polygons; the first of several equal ones represents all."""
 
-    Attributes:
-        parents: for each polygon the innermost one around it, or None.
-        crossings: for each polygon inside two crossing ones, these two.
-        groups: groups of equal polygons, the largest first.
-    """
-
-    parents: dict[int, int | None]
-    crossings: dict[int, tuple[int, int]]
-    groups: list[list[int]]
+    parents: dict[int, int | None]  # the innermost polygon around each one
+    crossings: dict[int, tuple[int, int]]  # for each polygon inside two crossing ones, these two
+    groups: list[list[int]]  # equal polygons, largest first
 
 
 def _nest(rings: Sequence[Polygon | None]) -> _Nesting:

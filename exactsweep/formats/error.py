@@ -8,4 +8,4 @@ class FormatError(ExactSweepError):
 
 
 class OrnamentError(FormatError):
-    """An element that cannot be part of an outline; omitting it loses nothing."""
+    """An element that cannot be part of an outline, and so can be skipped."""

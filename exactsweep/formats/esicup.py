@@ -16,7 +16,6 @@ if TYPE_CHECKING:
 
 
 def is_esicup(root: Element) -> bool:
-    """Return whether an XML document is an ESICUP instance."""
     return _find_kind(root) == "nesting"
 
 

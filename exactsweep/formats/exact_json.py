@@ -15,14 +15,10 @@ from exactsweep.numbers.number import Point, to_fraction
 
 
 def parse_json(text: str) -> object:
-    """Parse JSON, keeping all numbers, even NaN and Infinity, as text.
+    """Parse JSON; all numbers, even NaN and Infinity, remain text. Raises FormatError.
 
-    Raises:
-        FormatError: not JSON, nested too deeply, a duplicate key, or too large.
-
-    Example:
-        >>> parse_json('[0.10, 1e400, "1/3"]')
-        ['0.10', '1e400', '1/3']
+    >>> parse_json('[0.10, 1e400, "1/3"]')
+    ['0.10', '1e400', '1/3']
     """
     return _parse(text, str)
 
@@ -44,7 +40,6 @@ def read_vertices(value: object, path: str) -> list[Point]:
 
 
 def describe_kind(value: object) -> str:
-    """Describe a JSON value for a message."""
     if isinstance(value, (dict, list)):
         return "an object" if isinstance(value, dict) else "a list"
     return json.dumps(value) if value is None or isinstance(value, bool) else quote(value)
@@ -100,7 +95,6 @@ def _without_repeats(pairs: list[tuple[str, object]]) -> dict[str, object]:
 
 
 def read_point(pair: object, path: str) -> Point:
-    """Read a pair of numbers, or an object with "x" and "y"."""
     for names in (("x", "y"), ("X", "Y")):
         if isinstance(pair, dict) and pair.keys() == set(names):
             return Point(*(read_number(pair[name], f"{path}.{name}") for name in names))
@@ -112,7 +106,6 @@ def read_point(pair: object, path: str) -> Point:
 
 
 def read_number(value: object, path: str) -> Fraction:
-    """Read a number that `parse_json` kept as text."""
     if not isinstance(value, str):
         raise FormatError(f"{path} is {describe_kind(value)}, not a number")
     with prefix_errors(path, FormatError):
@@ -142,7 +135,6 @@ def read_certificate(path: str) -> object:
 
 
 def quote_fraction(value: Fraction) -> str:
-    """Format a number as an exact JSON string."""
     return f'"{format_fraction(value)}"'
 
 

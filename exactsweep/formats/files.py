@@ -12,9 +12,8 @@ from exactsweep.formats.size import require_size
 from exactsweep.numbers.error import ExactSweepError, explain_type_errors, quote
 from exactsweep.numbers.limits import get_max_bytes
 
-# Possessive, to match long runs of blank lines and comments in linear time.
+# The start of a DXF text; possessive, to match blank lines and comments in linear time.
 DXF_SIGN = re.compile(r"(?:\s*+999[^\S\n]*+\n[^\n]*+\n)*+\s*+0[^\S\n]*+\n\s*+SECTION\b")
-"""The pattern at the start of a DXF text."""
 _MOST_SHOWN = 400
 _XML_ENCODING = re.compile(
     rb"\s*<\?xml\b[^>]*\bencoding\s*=\s*[\"'](iso-8859-\d+|windows-125\d)", re.IGNORECASE
@@ -59,7 +58,6 @@ def read_text(path: str) -> str:
 
 
 def decode_text(data: bytes) -> str:
-    """Decode UTF-8, with or without a byte order mark; raises FormatError."""
     try:
         return data.decode("utf-8-sig")
     except UnicodeDecodeError as error:
@@ -97,14 +95,13 @@ def _open(path: str) -> Iterator[BinaryIO]:
 
 @contextmanager
 def open_bytes(path: str) -> Iterator[BinaryIO]:
-    """Open a file, or standard input, in binary mode; errors name it."""
     with name_failures(path), _open(path) as file:
         yield file
 
 
 @contextmanager
 def name_failures(path: str, refusal: type[ExactSweepError] = FormatError) -> Iterator[None]:
-    """Convert an OSError inside a `with` block into an error that names the file."""
+    """Convert an OSError to an error that names the file."""
     try:
         yield
     except OSError as error:

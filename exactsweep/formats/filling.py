@@ -1,7 +1,7 @@
-"""Regions filled by rings that may cross or touch themselves and each other.
+"""Regions filled by rings that may touch or cross themselves and each other.
 
 Edges are cut where they meet. A sweep line finds the winding numbers on both sides of each piece;
-pieces with the filled area on one side only form the boundary. Tracing it with the area on the
+pieces with the filled area on only one side form the boundary. Tracing it with the area on the
 left, always to the next piece clockwise, yields the faces. A face that visits a vertex twice is cut
 into two rings there.
 """
@@ -23,12 +23,8 @@ from exactsweep.geometry.reading import to_lattice
 from exactsweep.geometry.vectors import angle_key, compare_angles, intersect, minus, orientation
 from exactsweep.numbers.number import Edge, Point, Rational, Vertex
 
-MAX_PAIRS = 5_000_000
-"""Maximum number of pairs of nearby edges; each cut of an edge counts as 20."""
-
+MAX_PAIRS = 5_000_000  # of nearby edges; each cut of an edge counts as 20
 Rule = Literal["nonzero", "evenodd", "positive"]
-"""A fill rule: the winding numbers of filled points."""
-
 _IS_FILLED: dict[Rule, Callable[[int], bool]] = {
     "nonzero": lambda number: number != 0,
     "evenodd": lambda number: number % 2 == 1,
@@ -37,17 +33,9 @@ _IS_FILLED: dict[Rule, Callable[[int], bool]] = {
 
 
 class Filled(NamedTuple):
-    """Filled regions.
-
-    Attributes:
-        regions: for each the exterior, counter-clockwise, and the holes.
-        touching: whether edges coincide, or meet anywhere but at common ends.
-        hidden: a bound on the squared distance of interior edges from the boundary, if measured.
-    """
-
-    regions: list[list[list[Point]]]
-    touching: bool
-    hidden: Fraction
+    regions: list[list[list[Point]]]  # for each, the exterior, counter-clockwise, and the holes
+    touching: bool  # whether edges coincide, or meet anywhere except at common endpoints
+    hidden: Fraction  # bounds the squared distance of interior edges from the boundary, if measured
 
 
 def fill(rings: Sequence[Sequence[Point]], rule: Rule, *, measured: bool = False) -> Filled:
@@ -55,14 +43,11 @@ def fill(rings: Sequence[Sequence[Point]], rule: Rule, *, measured: bool = False
 
     Args:
         rings: the vertices of each ring; the last may repeat the first.
-        rule: whether nonzero, odd or positive winding numbers are filled.
+        rule: whether points with nonzero, odd or positive winding numbers are filled.
         measured: whether to compute `hidden` if edges touch.
 
-    Returns:
-        A Filled, with the regions in drawing order.
-
     Raises:
-        PolygonError: too many edges cross or are close together, by MAX_PAIRS.
+        PolygonError: too many edges cross or are close together (MAX_PAIRS).
 
     Cost: O((n + k) log n) for n edges and k intersections, if the sweep line crosses few edges.
 
@@ -94,7 +79,7 @@ def fill(rings: Sequence[Sequence[Point]], rule: Rule, *, measured: bool = False
 
 
 def _cut(numbers: Mapping[Edge, int]) -> dict[Edge, int]:
-    """Cut edges where they meet; return how often each piece is drawn to the right, net."""
+    """Cut edges where they meet; return the net number of times each piece runs to the right."""
     edges = [*numbers]
     boxes = [(a[0], b[0], min(a[1], b[1]), max(a[1], b[1])) for a, b in edges]
     cuts: defaultdict[int, set[Vertex]] = defaultdict(set)
@@ -121,17 +106,9 @@ def _simplify(value: Rational) -> Rational:
 
 
 class _Wound(NamedTuple):
-    """Classified pieces.
-
-    Attributes:
-        boundary: pieces with the filled area on the left only.
-        inside: other pieces next to a nonzero winding number.
-        below: for each boundary piece, from left to right, the next one below its start.
-    """
-
-    boundary: list[Edge]
-    inside: list[Edge]
-    below: dict[Edge, Edge | None]
+    boundary: list[Edge]  # pieces with the filled area only on their left
+    inside: list[Edge]  # other pieces next to a nonzero winding number
+    below: dict[Edge, Edge | None]  # for each boundary piece, the next one below its left end
 
 
 def _wind(numbers: Mapping[Edge, int], is_filled: Callable[[int], bool]) -> _Wound:
@@ -175,7 +152,7 @@ def _compare_slopes(one: Edge, other: Edge) -> int:
 
 
 def _walk(boundary: Sequence[Edge]) -> Iterator[list[Vertex]]:
-    """Yield the rings of the boundary, with the area on the left."""
+    """Trace the rings of the boundary, with the area on the left."""
     leaving: defaultdict[Vertex, list[Vertex]] = defaultdict(list)
     for a, b in boundary:
         leaving[a].append(b)
@@ -233,7 +210,7 @@ def _gather(
 
 
 def _measure(inside: Sequence[Edge], boundary: Sequence[Edge]) -> Fraction:
-    """Bound the squared distance from edges to the boundary, by one end and the length of each."""
+    """Bound the squared distance of edges from the boundary, by one end and the length."""
     most = Fraction(0)
     for a, b in inside:
         x, y = minus(b, a)

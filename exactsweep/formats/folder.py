@@ -1,4 +1,4 @@
-"""Polygons of files, folders and file name patterns."""
+"""Polygons in files, folders and file name patterns."""
 
 from __future__ import annotations
 
@@ -18,12 +18,12 @@ from exactsweep.formats.part_list import Coordinates, PartList
 from exactsweep.formats.polygons import read_candidates, split_choice
 from exactsweep.formats.reading import Options
 
+# The suffixes of the files to read in a folder.
 ENDINGS = (".json", ".jsonl", ".geojson", ".wkt", ".csv", ".svg", ".dxf")
-"""The suffixes of the files to read from a folder."""
 
 
 class ListedPart(NamedTuple):
-    """A candidate, its name, possibly not unique, and its file name."""
+    """A candidate with its name, which need not be unique, and its file name."""
 
     name: str
     file: str
@@ -31,8 +31,6 @@ class ListedPart(NamedTuple):
 
 
 class Listing(NamedTuple):
-    """The number of files and their contents."""
-
     files: int
     parts: list[ListedPart]
     left_out: list[str]
@@ -43,12 +41,12 @@ class Listing(NamedTuple):
 def find_files(path: str) -> list[str]:
     """Find the files of a path, folder or pattern such as `parts/*.dxf`, sorted.
 
-    An existing file has priority over a pattern; `**` matches any folders. A folder yields the
-    visible files in its tree with a suffix of ENDINGS. Raises FormatError if there are none.
+    An existing file has priority over a pattern; `**` matches any folders. In a folder, all visible
+    files with a suffix in ENDINGS are found, also in subfolders. Raises FormatError if there are
+    none.
 
-    Example:
-        >>> find_files("part.json"), find_files("-")
-        (['part.json'], ['-'])
+    >>> find_files("part.json"), find_files("-")
+    (['part.json'], ['-'])
     """
     if os.path.isdir(path):
         found = [
@@ -73,12 +71,12 @@ def find_files(path: str) -> list[str]:
 def list_parts(
     paths: Iterable[str], tolerance: object = None, **options: Unpack[Options]
 ) -> Listing:
-    """Find the polygons of files, folders and patterns, and name them.
+    """Find the polygons in files, folders and patterns, and name them.
 
-    Paths are as for `find_files`, optionally with "#" and a choice for each file. The name of a
-    polygon is its id, its layer, the file name if the file has no other, or its index. With several
-    files, names start with the file name, as in "left.dxf#cut". If Y points down in some files
-    only, it is flipped there, with a note. Raises FormatError if no file can be read.
+    Each path may end with "#" and a choice. A polygon is named by its id, its layer, the file name
+    if it is the only one, or its index. With several files, names start with the file name, as in
+    "left.dxf#cut". If Y points down in only some of the files, it is flipped there, with a note.
+    Raises FormatError if no file can be read.
     """
     files = [found for path in paths for found in _split_files(path)]
     parts: list[ListedPart] = []
@@ -113,10 +111,7 @@ _Turned = TypeVar("_Turned", Candidate, NamedRegion)
 
 
 def bring_to_one(files: Sequence[tuple[str, PartList[_Turned]]]) -> tuple[Coordinates, list[str]]:
-    """Flip Y in files in which it points down if it points up in others.
-
-    Returns the common coordinates, without a unit if the units differ, and notes.
-    """
+    """Flip Y in files where it points down if it points up in others; also return notes."""
     systems = {found.coordinates for _, found in files}
     notes = []
     down = [(name, found) for name, found in files if found.coordinates.y_down]

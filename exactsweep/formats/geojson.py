@@ -19,7 +19,7 @@ _VERTICES = "a list of vertices"
 def read_geojson(
     document: Mapping[str, object], path: str = "$", notes: dict[str, None] | None = None
 ) -> list[Candidate]:
-    """Find the Polygons of a document parsed by `parse_json`; Feature ids are their names.
+    """Find the Polygons of a document parsed by `parse_json`, named by their Feature ids.
 
     Other geometries and open rings become rejected candidates. Raises FormatError for malformed
     collections and ids.

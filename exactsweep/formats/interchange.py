@@ -23,7 +23,7 @@ if TYPE_CHECKING:
 
 
 class HasGeoInterface(Protocol):
-    """A shape or an answer that describes itself as GeoJSON."""
+    """A shape or an answer with a GeoJSON representation."""
 
     @property
     def __geo_interface__(self) -> dict[str, Any]: ...
@@ -37,7 +37,7 @@ def from_shapely(geometry: shapely.Polygon) -> AnyPolygon:
         geometry: a shapely Polygon or LinearRing. Z coordinates are dropped, with a warning.
 
     Returns:
-        A Polygon, or a Region if there are holes.
+        A Polygon, or a Region if it has holes.
 
     Raises:
         FormatError: another geometry.
@@ -69,7 +69,7 @@ def parts_from_shapely(geometries: Iterable[shapely.Geometry]) -> PartList[Named
         A PartList of NamedRegion, in order; `left_out` lists elements that are not polygons.
 
     Raises:
-        FormatError: no readable polygon.
+        FormatError: there is no valid polygon.
 
     Example:
         >>> import shapely
@@ -103,10 +103,10 @@ def from_wkt(text: str) -> AnyPolygon:
     """Read a WKT POLYGON exactly, or a MULTIPOLYGON with one element.
 
     Returns:
-        A Polygon, or a Region if there are holes.
+        A Polygon, or a Region if it has holes.
 
     Raises:
-        FormatError: not WKT, or several polygons; `parse_regions` reads these.
+        FormatError: not WKT, or several polygons (use `parse_regions`).
         PolygonError: not a region.
 
     Example:
@@ -118,19 +118,19 @@ def from_wkt(text: str) -> AnyPolygon:
 
 @explain_type_errors
 def to_shapely(shape: HasGeoInterface, *, nearest: bool = False) -> shapely.Geometry:
-    """Convert a shape or an answer to a shapely geometry, with floats as coordinates.
+    """Convert a shape or an answer to a shapely geometry with float coordinates.
 
     Args:
         shape: a Polygon, a Region, a Polyline, or an answer: a Sweep (its area), a NoFitPolygon, an
             InnerFit, or a Layout (its placed parts).
-        nearest: whether to round to the nearest float; edges may then cross.
+        nearest: whether to round to the nearest floats; edges may then cross.
 
     Returns:
         A shapely Polygon; for an InnerFit a MultiPolygon; for an answer with exact fits and for a
         Layout a GeometryCollection; for a Polyline a LineString or Point.
 
     Raises:
-        FormatError: a coordinate is not a float, and not `nearest`; or it exceeds the float range.
+        FormatError: a coordinate is not a float (unless `nearest`), or exceeds the float range.
 
     Example:
         >>> print(to_shapely(Polygon([(0, 0), ("1/2", 0), (0, 1)])))
@@ -166,7 +166,7 @@ def from_numpy(array: numpy.ndarray) -> Polygon:
     """Convert an array of shape (n, 2) to a polygon.
 
     Args:
-        array: ints, floats (exact binary values), or objects that `to_fraction` reads.
+        array: ints, floats (with their exact binary values), or objects that `to_fraction` accepts.
 
     Raises:
         FormatError: another shape.
@@ -189,10 +189,10 @@ def to_numpy(polygon: Polygon, dtype: str = "object", *, nearest: bool = False) 
     Args:
         polygon: a Polygon.
         dtype: "object" for Fractions, "int64" or "float64".
-        nearest: as for `to_shapely`; for "float64" only.
+        nearest: as for `to_shapely`; only for "float64".
 
     Raises:
-        FormatError: another dtype, or a coordinate that it cannot represent.
+        FormatError: another dtype, or a coordinate that the dtype cannot represent.
 
     Example:
         >>> to_numpy(Polygon([(0, 0), (1, 0), (0, "1/2")]), "float64").tolist()

@@ -18,10 +18,10 @@ _RINGS = ("vertices", "exterior", "points", "polygon")
 def read_exact(document: object, path: str = "$") -> list[Candidate]:
     """Find the polygons of an exact JSON document.
 
-    The document is a polygon: a list of vertices, or an object with a list as "vertices", "points"
-    or "polygon", or as "exterior" with lists as "holes", and optionally with "id" and "error"; a
-    list of polygons, or an object with one as "polygons"; or a result, with "trajectory", "inner",
-    "outer" and "unswept", or with "regions".
+    A document is a polygon, a list of polygons, an object with such a list as "polygons", or a
+    result, with "trajectory", "inner", "outer" and "unswept", or with "regions". A polygon is a
+    list of vertices, or an object with such a list as "vertices", "points" or "polygon", or as
+    "exterior" with a list of "holes"; optionally with "id" and "error".
     """
     node = JsonNode(document, path)
     if isinstance(document, dict) and "polygons" in document:
@@ -65,7 +65,6 @@ def _read_result(node: JsonNode, document: Mapping[str, object]) -> list[Candida
 
 
 def read_record_name(document: Mapping[str, object]) -> str | None:
-    """Return the id of a record, else the names of its pair, else its index, else None."""
     for members in (("id",), ("generatrix", "directrix"), ("index",)):
         values = [document.get(member) for member in members]
         if all(isinstance(value, str) for value in values):

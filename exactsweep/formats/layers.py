@@ -13,7 +13,7 @@ from exactsweep.words import count, suggest
 
 
 def keep_layers(outlines: Sequence[Candidate], reading: Reading) -> Sequence[Candidate]:
-    """Keep the outlines on the selected layers, and note the number of others.
+    """Keep the outlines on the selected layers, and count the others in a note.
 
     SVG groups with an id count as layers. Raises FormatError if a layer does not exist.
     """
@@ -40,7 +40,6 @@ def keep_layers(outlines: Sequence[Candidate], reading: Reading) -> Sequence[Can
 
 
 def list_layers(outline: Candidate) -> list[str]:
-    """List the layer and the groups of an outline."""
     return [name for name in (outline.layer, *outline.groups) if name is not None]
 
 
@@ -50,5 +49,4 @@ def get_layer(outline: Candidate) -> str | None:
 
 
 def tell_layer(layer: str | None) -> str:
-    """Describe a layer for a message."""
     return "no layer" if layer is None else f"the layer {quote(layer)}"

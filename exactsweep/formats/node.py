@@ -1,4 +1,4 @@
-"""JSON nodes that know their path, for error messages."""
+"""JSON values with their paths, for error messages."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ Data = dict[str, Any]
 
 
 class JsonNode(NamedTuple):
-    """A value of `parse_json` with its JSON path."""
+    """A value from `parse_json` with its JSON path; accessors raise FormatError."""
 
     value: object
     path: str = "$"
@@ -26,7 +26,6 @@ class JsonNode(NamedTuple):
         return isinstance(self.value, Mapping) and self.value.get(name) is not None
 
     def __truediv__(self, name: str) -> JsonNode:
-        """Return a required member."""
         if not isinstance(self.value, Mapping):
             self.refuse(f"{describe_kind(self.value)}, not an object")
         if name not in self.value:
@@ -38,23 +37,19 @@ class JsonNode(NamedTuple):
         return self / name if self.has(name) else self
 
     def get(self, name: str, default: object) -> JsonNode:
-        """Return a member, or a default."""
         return self / name if self.has(name) else JsonNode(default, f"{self.path}.{name}")
 
     def entries(self, what: str = "a list") -> list[Any]:
-        """Return the entries of a list; `what` names it in messages."""
         if not isinstance(self.value, list):
             self.refuse(f"{describe_kind(self.value)}, not {what}")
         return self.value
 
     def each(self, what: str = "a list") -> Iterator[JsonNode]:
-        """Yield the entries of a list, each with its path."""
         for k, entry in enumerate(self.entries(what)):
             yield JsonNode(entry, f"{self.path}[{k}]")
 
     @property
     def fraction(self) -> Fraction:
-        """The value as a number."""
         return read_number(self.value, self.path)
 
     @property
@@ -65,28 +60,25 @@ class JsonNode(NamedTuple):
 
     @property
     def whole(self) -> int:
-        """The value as an int."""
         if self.fraction.denominator != 1:
             self.refuse(f"{quote(self.value)}, not a whole number")
         return int(self.fraction)
 
     @property
     def text(self) -> str:
-        """The value as a string."""
         if not isinstance(self.value, str):
             self.refuse(f"{describe_kind(self.value)}, not a string")
         return self.value
 
     @property
     def name(self) -> str:
-        """The value as a name, a string or a number."""
+        """A string or a number, as text."""
         if not isinstance(self.value, str):
             self.refuse(f"{describe_kind(self.value)}, not a string or a number")
         return self.value
 
     @property
     def id(self) -> str | None:
-        """The value as a name; None for null."""
         return None if self.value is None else self.name
 
     @property
@@ -104,13 +96,11 @@ class JsonNode(NamedTuple):
 
     @property
     def is_true(self) -> bool:
-        """The value as a bool."""
         if not isinstance(self.value, bool):
             self.refuse(f"{describe_kind(self.value)}, not true or false")
         return self.value
 
     def refuse(self, reason: str) -> NoReturn:
-        """Raise FormatError with the path and a reason."""
         raise FormatError(f"{self.path} is {reason}")
 
 
@@ -121,11 +111,9 @@ def write_ring(points: Sequence[Point]) -> list[list[str]]:
 
 
 def write_shape(exterior: list[list[str]], holes: Sequence[list[list[str]]]) -> Data:
-    """Convert rings to a Layout JSON shape."""
     return {"exterior": exterior} | ({"holes": [*holes]} if holes else {})
 
 
 def write_box(left: Fraction, low: Fraction, width: Fraction, height: Fraction) -> list[list[str]]:
-    """Convert a rectangle to a Layout JSON ring."""
     right, top = left + width, low + height
     return write_ring([Point(left, low), Point(right, low), Point(right, top), Point(left, top)])

@@ -1,4 +1,4 @@
-"""Format detection, and extraction of polygons from text."""
+"""Format detection and parsing."""
 
 import re
 from collections.abc import Sequence
@@ -37,14 +37,13 @@ _ENTITY = re.compile(r"(?m)^ *0\n[A-Z]")
 def parse_candidates(
     text: str, tolerance: object = None, **options: Unpack[Options]
 ) -> PartList[Candidate]:
-    """Find the polygons in text like `parse_regions`, without parsing their numbers."""
+    """Find the polygons in text, like `parse_regions`, without parsing their numbers."""
     if not isinstance(text, str):
         raise FormatError(f"{type(text).__name__} is not text")
     return parse_by(text, Reading(tolerance, **options))
 
 
 def parse_by(text: str, reading: Reading) -> PartList[Candidate]:
-    """Find the polygons in text, with the settings of a Reading."""
     candidates = keep_layers(_parse(text, reading), reading)
     if reading.nested:
         candidates = nest_candidates(candidates)
@@ -96,11 +95,10 @@ def _parse(text: str, reading: Reading) -> Sequence[Candidate]:
 
 
 def measure_written(text: str) -> int:
-    r"""Bound the size that a reader charges for text from `format_polygons`, or for JSON.
+    r"""Bound the size that a reader charges for output of `format_polygons`, or for JSON.
 
-    Example:
-        >>> measure_written("[[0,0],[1,0],[0,1]]"), measure_written("0,0\n1,0\n0,1\n")
-        (64, 48)
+    >>> measure_written("[[0,0],[1,0],[0,1]]"), measure_written("0,0\n1,0\n0,1\n")
+    (64, 48)
     """
     first = text.lstrip()[:1]
     if first == "<":
@@ -115,7 +113,7 @@ def _count_vertices(text: str) -> int:
 
 
 def _read_json(text: str, reading: Reading) -> Sequence[Candidate]:
-    """Read one JSON document, one per line, or tuples and braces."""
+    """Read one JSON document, one document per line, or tuples and braces."""
     notes = reading.notes
     try:
         document = parse_json(text)
@@ -148,7 +146,6 @@ def _read_json(text: str, reading: Reading) -> Sequence[Candidate]:
 
 
 def _read_line(line: str, number: int, notes: dict[str, None]) -> Sequence[Candidate]:
-    """Read one JSON line; an error becomes a rejected candidate."""
     try:
         return find_candidates(parse_json(line), f"line {number}: $", notes)
     except FormatError as error:
@@ -160,7 +157,6 @@ def _read_line(line: str, number: int, notes: dict[str, None]) -> Sequence[Candi
 def find_candidates(
     document: object, path: str = "$", notes: dict[str, None] | None = None
 ) -> Sequence[Candidate]:
-    """Find the polygons of exact JSON or GeoJSON, parsed by `parse_json`."""
     if isinstance(document, dict) and "type" in document and "vertices" not in document:
         found = read_geojson(document, path, notes)
         return found if len(found) > 1 else [one._replace(place="") for one in found]

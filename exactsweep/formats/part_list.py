@@ -1,4 +1,4 @@
-"""Contents of a file: polygons, direction of Y, unit and omissions."""
+"""Contents of a file: polygons, direction of Y, unit, and omissions."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ _SHOWN = 4
 
 
 class Coordinates(NamedTuple):
-    """The direction of Y, and the millimetres of one unit; None if unknown."""
+    """The direction of Y, and the length of one unit in millimeters, None if unknown."""
 
     y_down: bool = False
     unit: Fraction | None = None
@@ -25,7 +25,7 @@ class PartList(list[_Listed]):
 
     Attributes:
         coordinates: the direction of Y and the unit.
-        left_out: a reason for each omitted element: hidden, an ornament, or not a polygon.
+        left_out: a reason for each skipped element: hidden, an ornament, or not a polygon.
         notes: further remarks.
         is_group: whether the polygons are one group, selected by FILE#GROUP.
     """
@@ -47,7 +47,7 @@ class PartList(list[_Listed]):
         return PartList(items, self.coordinates, [*self.left_out, *left_out], self.notes)
 
     def read_each(self, read: Callable[[_Listed, Said], Iterable[_Read]]) -> PartList[_Read]:
-        """Read all items; omit those that raise ValueError, but re-raise it if none is left."""
+        """Read all items, and skip invalid ones; raises ValueError if none is left."""
         found: list[_Read] = []
         said = Said([*self.notes], [*self.left_out])
         kind: type[ValueError] | None = None
@@ -64,13 +64,10 @@ class PartList(list[_Listed]):
 
 
 class Said(NamedTuple):
-    """Collected notes and reasons for omissions."""
-
     notes: list[str]
     left_out: list[str]
 
 
 def summarize(reasons: Sequence[str]) -> str:
-    """Join the first reasons, and count the others."""
     more = len(reasons) - _SHOWN
     return "; ".join(reasons[:_SHOWN]) + (f"; and {more} more" if more > 0 else "")

@@ -15,15 +15,14 @@ _LINES = ("LineString", "Point")
 def parse_path(
     text: str, *, is_list: bool = False, reading: Reading | None = None
 ) -> Polyline | None:
-    """Read a path; return None for any other text, and raise FormatError for an invalid path.
+    """Read a path; return None for other text, and raise FormatError for an invalid path.
 
     A path is a WKT LINESTRING or POINT; a GeoJSON LineString or Point, or a Feature with one; an
     SVG document with one open unfilled path of straight segments; or a JSON list of one or two
-    points. With `is_list`, longer JSON lists, and filled or closed SVG paths, are paths, too.
+    points. With `is_list`, longer JSON lists and filled or closed SVG paths are also paths.
 
-    Example:
-        >>> print(parse_path("LINESTRING (0 0, 0.5 0)"), "and", parse_path('[[0, 0], ["1/2", 0]]'))
-        (0,0) (1/2,0) and (0,0) (1/2,0)
+    >>> print(parse_path("LINESTRING (0 0, 0.5 0)"), "and", parse_path('[[0, 0], ["1/2", 0]]'))
+    (0,0) (1/2,0) and (0,0) (1/2,0)
     """
     start = text.lstrip()
     if start[:1] == "<":

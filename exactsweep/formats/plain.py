@@ -38,7 +38,6 @@ def require_known(text: str) -> None:
 
 
 def is_plain(text: str) -> bool:
-    """Return whether text consists of numbers, separators and brackets."""
     return bool(_PLAIN.fullmatch(text))
 
 

@@ -1,4 +1,4 @@
-"""Readers of polygons from text and files; the content decides the format."""
+"""Readers of polygons from text and files; the content determines the format."""
 
 import os
 from collections.abc import Callable
@@ -36,12 +36,11 @@ def parse_polygon(
 
     Raises:
         FormatError: as for `parse_polygons`, or the choice is ambiguous.
-        PolygonError: not a simple polygon; the message names vertices by index.
+        PolygonError: not a simple polygon; the message gives the indices of vertices.
 
     Example:
-        >>> parse_polygon("[[0, 0], [0.5, 0], [0, 1e0]]") == parse_polygon(
-        ...     "POLYGON ((0 0, 0.5 0, 0 1, 0 0))"
-        ... )
+        >>> wkt = "POLYGON ((0 0, 0.5 0, 0 1, 0 0))"
+        >>> parse_polygon("[[0, 0], [0.5, 0], [0, 1e0]]") == parse_polygon(wkt)
         True
         >>> text = '<svg><rect id="a" width="2" height="1"/><path d="M0 0h1v1z"/></svg>'
         >>> print(parse_polygon(text, "a"), "and", parse_polygon(text, "1"))
@@ -70,10 +69,10 @@ def parse_polygons(
         elements and polygons with holes, with their locations.
 
     Raises:
-        FormatError: an unknown format, or no readable polygon.
-        PolygonError: no readable polygon, and the first element is not a simple polygon.
+        FormatError: an unknown format, or no valid polygon.
+        PolygonError: no valid polygon, and the first element is not a simple polygon.
 
-    Cost: linear in the length of the text, plus that of `Polygon`.
+    Cost: linear in the length of the text, plus the cost of `Polygon`.
 
     Example:
         >>> a, b = parse_polygons("POLYGON ((0 0, 1 0, 0 1, 0 0)) POLYGON ((0 0, 2 0, 0 2, 0 0))")
@@ -104,10 +103,9 @@ def parse_region(
 def parse_regions(
     text: str, tolerance: object = None, **options: Unpack[Options]
 ) -> PartList[NamedRegion]:
-    """Read all polygons in a string, with their holes.
+    """Read all polygons in a string, with their holes, like `parse_polygons`.
 
-    Arguments, results and errors are those of `parse_polygons`. Holes are inner rings, "holes" in
-    JSON, and SVG subpaths that the fill rule leaves empty.
+    Holes are inner rings, "holes" in JSON, and SVG subpaths that the fill rule leaves empty.
 
     Example:
         >>> path = '<path fill-rule="evenodd" d="M0 0H4V4H0z M1 1h1v1z"/>'
@@ -124,8 +122,7 @@ def read_polygon(
     """Read one polygon from a file, or from standard input.
 
     Args:
-        path: a path, or "-" for standard input, optionally with "#" and a choice as for
-            `parse_polygon`.
+        path: a path, or "-" for standard input, optionally with "#" and a choice.
         tolerance: as for `parse_polygon`.
         options: as for `parse_polygon`.
 
@@ -141,7 +138,7 @@ def read_polygon(
 def read_region(
     path: str | os.PathLike[str], tolerance: object = None, **options: Unpack[Options]
 ) -> Region:
-    """Read one polygon with its holes from a file, as `read_polygon` does."""
+    """Read one polygon with its holes from a file, like `read_polygon`."""
     return _read_file(
         path, lambda f, c: _read_one(choose(f, c), Candidate.region, tolerance), tolerance, options
     )
@@ -153,7 +150,7 @@ def read_polygons(
 ) -> PartList[NamedPolygon]:
     """Read all polygons in a file, or those selected by a choice after "#".
 
-    Takes the arguments of `read_polygon`; returns what `parse_polygons` returns.
+    Arguments as for `read_polygon`; returns the same as `parse_polygons`.
     """
     return _read_file(
         path, lambda f, c: _select(f, c).read_each(Candidate.named_polygons), tolerance, options
@@ -164,7 +161,7 @@ def read_polygons(
 def read_regions(
     path: str | os.PathLike[str], tolerance: object = None, **options: Unpack[Options]
 ) -> PartList[NamedRegion]:
-    """Read all polygons in a file, with their holes, as `read_polygons` does."""
+    """Read all polygons in a file, with their holes, like `read_polygons`."""
     return _read_file(
         path, lambda f, c: _select(f, c).read_each(Candidate.named_regions), tolerance, options
     )
@@ -173,7 +170,7 @@ def read_regions(
 def read_candidates(
     path: str | os.PathLike[str], tolerance: object = None, **options: Unpack[Options]
 ) -> PartList[Candidate]:
-    """Find the polygons in a file like `read_polygons`, without parsing their numbers."""
+    """Find the polygons in a file, like `read_polygons`, without parsing their numbers."""
     return _read_file(path, _select, tolerance, options)
 
 
@@ -184,7 +181,7 @@ def read_choice(
     groups: bool = False,
     **options: Unpack[Options],
 ) -> PartList[Candidate]:
-    """Find the polygon in a file like `read_region`, or with `groups` a group of outlines."""
+    """Find one polygon in a file, like `read_region`, or with `groups` a group of outlines."""
 
     def take(found: PartList[Candidate], choice: str | None) -> PartList[Candidate]:
         if groups and choice and is_group(outlines := select(found, choice), choice):
@@ -199,7 +196,7 @@ def read_choice(
 def _read_one(
     one: Candidate, read: Callable[[Candidate], _OneRead], tolerance: object = None
 ) -> _OneRead:
-    """Read the only polygon of a candidate; reject curves without a tolerance."""
+    """Read a polygon; reject curves without a tolerance."""
     if one.error and tolerance is None:
         raise FormatError(
             f"{one.place}: curves need a tolerance, for example 0.01; "
@@ -209,7 +206,7 @@ def _read_one(
 
 
 def read_single(one: Candidate, read: Callable[[Candidate], _OneRead]) -> _OneRead:
-    """Read the only polygon of a candidate; raises FormatError if it fills several."""
+    """Read one polygon; raises FormatError if an outline fills several."""
     said = Said([], [])
     found = one.read(read, said)
     if len(found) == 1:
@@ -253,5 +250,4 @@ def split_choice(path: str | os.PathLike[str]) -> tuple[str, str | None]:
 
 
 def name_file(file: str) -> prefix_errors:
-    """Prefix errors inside a `with` block with the file name."""
     return prefix_errors(show_path(file), FormatError)

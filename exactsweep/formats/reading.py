@@ -15,12 +15,10 @@ from exactsweep.numbers.error import prefix_errors, quote
 from exactsweep.numbers.limits import get_max_bytes
 from exactsweep.numbers.number import to_fraction
 
-MAX_LINES = 20_000
-"""Maximum number of chords per curve."""
+MAX_LINES = 20_000  # chords per curve
+MAX_COPIES = 20_000  # elements drawn by blocks or uses, since small files can draw many
 
-MAX_COPIES = 20_000
-"""Maximum number of elements that blocks or uses draw, since small files can draw many."""
-
+# Units in millimeters; an inch has 96 px, as in CSS.
 UNITS = {
     "mm": Fraction(1),
     "cm": Fraction(10),
@@ -33,12 +31,10 @@ UNITS = {
     "pc": Fraction(127, 30),
     "px": Fraction(127, 480),
 }
-"""Units in millimetres; an inch has 96 px, as in CSS."""
-
-# Inch, foot, mile, mm, cm, m, km, microinch, mil, yard, angstrom, nm, um, dm, dam, hm, Gm.
+# DXF units in millimeters, by the value of $INSUNITS: inch, foot, mile, mm, cm, m, km,
+# microinch, mil, yard, angstrom, nm, um, dm, dam, hm, Gm.
 _INSUNITS = "25.4 304.8 1609344 1 10 1e3 1e6 254e-7 254e-4 914.4 1e-7 1e-6 1e-3 100 1e4 1e5 1e12"
 INSUNITS = dict(enumerate(map(Fraction, _INSUNITS.split()), 1))
-"""DXF units in millimetres, by the value of $INSUNITS."""
 
 
 class Options(TypedDict, total=False):
@@ -48,15 +44,15 @@ class Options(TypedDict, total=False):
         nested: whether outlines inside others are holes, outlines inside holes are polygons, and so
             on; see `exactsweep.formats.depth`. By default only in layouts.
         layers: the DXF or Inkscape layers to read, ignoring case; by default all.
-        ignored_layers: the layers to omit.
-        join: the maximum gap between line ends to join, in SVG and DXF. By default, equal ends are
+        ignored_layers: the layers to skip.
+        join: the maximum gap to close between line ends, in SVG and DXF. By default, equal ends are
             joined, and curve ends within a quarter of the tolerance.
-        unit: the unit of the result, one of UNITS. Files that state their unit are scaled exactly,
-            others are rejected. By default numbers are unchanged.
+        unit: the unit of the result, one of UNITS. Files with a known unit are scaled exactly,
+            others are rejected. By default, numbers remain unchanged.
         hidden: whether to read hidden geometry: invisible DXF entities, layers that are off or
             frozen, paper space; invisible SVG elements and unused `defs`.
         y_down: whether Y points down in the file; by default only in SVG.
-        clean: the minimum area of a polygon; smaller ones are omitted.
+        clean: the minimum area of a polygon; smaller ones are skipped.
     """
 
     nested: bool | None
@@ -70,21 +66,7 @@ class Options(TypedDict, total=False):
 
 
 class Reading:
-    """The settings and the state of one reading; arguments as in `Options`.
-
-    Attributes:
-        joining: four times the maximum gap between curve ends to join; None to derive it from the
-            size of the drawing.
-        found_unit: the file's unit in millimetres; None if unknown.
-        passed: the number of hidden elements for each reason.
-        lines, vertices, copies, copied: counts of chords, vertices, copied elements, and their
-            bytes.
-        dots: whether zero-length strokes with round caps are discs, as in layouts.
-        apart: whether unfilled paths are separate outlines, nested later with all others.
-
-    Raises:
-        FormatError: a number that is not positive, or an unknown unit.
-    """
+    """The settings and the state of one reading; arguments as in `Options`."""
 
     def __init__(
         self,
@@ -101,6 +83,7 @@ class Reading:
     ) -> None:
         if unit is not None and not (isinstance(unit, str) and unit in UNITS):
             raise FormatError(f"the unit {quote(unit)} is not one of {', '.join(UNITS)}")
+        # `joining` is four times the maximum gap at curve ends; None derives it from the drawing.
         self.tolerance = self.joining = read_positive(tolerance, "the tolerance")
         self.join = read_positive(join, "the join distance")
         self.clean = read_positive(clean, "the minimum area") or Fraction(0)
@@ -112,7 +95,10 @@ class Reading:
         self.passed: Counter[str] = Counter()
         self.notes: dict[str, None] = {}
         self.lines = self.vertices = self.copies = self.copied = 0
-        self.dots, self.apart = False, bool(nested)
+        # Whether zero-length strokes with round caps are discs, as in layouts.
+        self.dots = False
+        # Whether unfilled paths are separate outlines, to be nested with all others.
+        self.apart = bool(nested)
 
     def without_nesting(self) -> Reading:
         """Return fresh settings without nesting."""
@@ -124,7 +110,6 @@ class Reading:
 
     @property
     def options(self) -> Options:
-        """The settings besides the tolerance."""
         given = {name: getattr(self, name) for name in Options.__annotations__}
         return cast(Options, given | {"clean": self.clean or None})
 
@@ -149,19 +134,17 @@ class Reading:
             )
 
     def allow_vertices(self, count: int) -> None:
-        """Count drawn vertices; raises FormatError beyond the limit."""
         self.vertices += count
         require_count(self.vertices, VERTEX, "vertices are drawn")
 
     def allow_copies(self, count: int, size: int, draw: str, things: str) -> None:
-        """Count repeated elements and their bytes; raises FormatError beyond the limits."""
         self.copies, self.copied = self.copies + count, self.copied + size
         if self.copies > MAX_COPIES:
             raise FormatError(f"{draw} more than {MAX_COPIES:,} {things}")
         require_size(self.copied, f"{draw} ")
 
     def scale(self, unit: Fraction | None) -> Fraction:
-        """Return the scale factor for a file, given its unit in millimetres."""
+        """Return the scale factor for a file, given its unit in millimeters."""
         self.found_unit = unit
         if self.unit is None:
             return Fraction(1)
@@ -171,14 +154,13 @@ class Reading:
         return unit / self.found_unit
 
     def hides(self, reason: str) -> bool:
-        """Return whether to skip an element hidden for a reason ("" if visible), and count it."""
+        """Return whether to skip an element hidden for a reason ("" if visible); count it."""
         if not reason or self.hidden:
             return False
         self.passed[reason] += 1
         return True
 
     def list_hidden(self) -> list[str]:
-        """Return one remark per reason for hiding."""
         return [f"hidden: {many} {what} (--hidden)" for what, many in self.passed.items()]
 
     def require_level(self, heights: Sequence[Fraction]) -> None:
@@ -191,7 +173,6 @@ class Reading:
 
 
 def read_positive(value: object, name: str) -> Fraction | None:
-    """Read a positive number from the caller; None stays None."""
     if value is None:
         return None
     with prefix_errors(name, FormatError):
@@ -202,7 +183,6 @@ def read_positive(value: object, name: str) -> Fraction | None:
 
 
 def read_names(value: object, name: str) -> tuple[str, ...]:
-    """Read a list of strings from the caller."""
     if not isinstance(value, list | tuple) or not all(isinstance(one, str) for one in value):
         raise FormatError(f"{name} is {quote(value)}, not a list of strings")
     return tuple(value)

@@ -1,6 +1,6 @@
 """Recognition of discs, slots and rounded convex polygons.
 
-A closed path of arcs and lines bounds all points at distance at most r from a convex hull if (1)
+A closed path of arcs and lines bounds the points at distance at most r from a convex hull if (1)
 its arcs have radius r and the same orientation, and turn by 360 degrees in total; (2) their
 centers, in order, are the corners of a convex polygon, the ends of a segment, or one point; and (3)
 each line between two arcs is the segment between their centers, offset outward by r.
@@ -22,34 +22,24 @@ _TURN = 0.5
 
 
 class RoundedOutline(NamedTuple):
-    """The points at distance at most `radius` from the convex hull of a set of points.
+    """The points at distance at most `radius` from the convex hull of a set of points."""
 
-    Attributes:
-        points: the corners of the hull, counter-clockwise; one for a disc, two for a slot.
-        error: a bound on the distance from the true outline; 0 for a rational map.
-    """
-
-    points: tuple[Point, ...]
+    points: tuple[Point, ...]  # corners, counter-clockwise; one for a disc, two for a slot
     radius: Fraction
-    error: Fraction = Fraction(0)
+    error: Fraction = Fraction(0)  # bounds the distance from the true outline; 0 if rational
 
     def turned(self) -> RoundedOutline:
-        """Return the outline with the Y axis flipped."""
         return self._replace(points=tuple(Point(x, -y) for x, y in self.points[::-1]))
 
 
 class _Round(NamedTuple):
-    """An arc of a circle, in the direction of the path."""
-
     start: Point
     end: Point
     center: Point
 
 
 def find_rounded(path: Path) -> RoundedOutline | None:
-    """Return the hull and the radius of a path, or None if it is not a rounded outline.
-
-    Irrational radii are not recognized.
+    """Return the hull and the radius of a rounded path; None for other paths and irrational radii.
 
     >>> from exactsweep.formats.curved.affine import make_affine
     >>> from exactsweep.formats.curved.path import draw_circle
@@ -94,7 +84,7 @@ def _find_circle(curve: object, forward: bool) -> tuple[Point, Fraction, bool] |
 
 
 def _fits(one: _Round, other: _Round, square: Fraction, *, left: bool) -> bool:
-    """Return whether an arc of the given radius leads to the next one, directly or by a tangent."""
+    """Return whether an arc leads to the next one, directly or by a tangent segment."""
     ends = minus(one.start, one.center), minus(one.end, one.center)
     if any(x * x + y * y != square for x, y in ends):
         return False

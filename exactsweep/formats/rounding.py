@@ -1,19 +1,19 @@
 """Rounding of regions to a decimal grid: to the closest points, outward, or inward.
 
-Outward, a ring has its region on the left. A vertex v lies between the edges e and f.
+For outward rounding, each ring has its region on the left. Let v be a vertex between edges e and f.
 
 1. The new vertices for v lie on or right of the lines of e and f, so the old edges lie on or left
    of the new ones.
-2. At a left turn, the new vertices are the corners of the grid cell around v that are extreme in a
-   direction between the normals of e and f. At a right turn, the new vertex is the closest possible
-   grid point, if any is near.
+2. At a left turn, the new vertices are the corners of the grid cell around v that are extreme in
+   some direction between the normals of e and f. At a right turn, the new vertex is the closest
+   such grid point within reach.
 3. In a notch narrower than a cell, new edges may cross, or a right turn may have no grid point.
    Then right turns are dropped, smallest ears first, which fills the notch. The last resort is the
    convex hull of all cells.
 4. An exact test proves that the result is a polygon that contains the old one.
 
-Holes are clockwise rings that shrink, and are dropped if no ring is left. When rounding inward,
-holes grow, and may meet and divide the region; its parts are rounded again until all vertices are
+Holes are clockwise rings that shrink, and are dropped if nothing is left. When rounding inward,
+holes grow, and may merge and divide the region; its parts are rounded again until all vertices are
 on the grid.
 """
 
@@ -40,33 +40,24 @@ from exactsweep.numbers.error import explain_type_errors, quote
 from exactsweep.numbers.number import Edge, Fit, Point, Rational, Vertex
 
 Side = Literal["closest", "outward", "inward"]
-# Cells to search around the vertex of a right turn.
-_REACH = 3
-
+_REACH = 3  # cells to search around the vertex of a right turn
 MAX_PLACES = 4000
-"""Maximum number of decimal places."""
 
 
 class Rounding(NamedTuple):
-    """Decimal places, and whether forbidden regions only grow and free regions only shrink."""
+    """Number of decimal places, and whether to round only outward (free regions inward)."""
 
     places: int
     outward: bool = False
 
 
 class Rounded(NamedTuple):
-    """A rounded region.
+    """A rounded region."""
 
-    Attributes:
-        regions: one, or for "inward" any number.
-        distance: a bound on the distance between old and new rings, except dropped rings and closed
-            gaps between holes.
-        left_out: the number of dropped holes and parts.
-    """
-
-    regions: tuple[Region, ...]
+    regions: tuple[Region, ...]  # one, or for "inward" any number
+    # Bounds the distance between old and new rings, except dropped rings and merged holes.
     distance: Fraction
-    left_out: int = 0
+    left_out: int = 0  # dropped holes and parts
 
     @property
     def region(self) -> Region | None:
@@ -113,7 +104,7 @@ def round_regions(
 
 
 def round_fits(fits: Sequence[Fit], rounding: Rounding) -> tuple[list[Fit], int]:
-    """Round exact fits, and count those that move; drop these if rounding is outward."""
+    """Round exact fits, and count those that move; outward rounding drops them."""
     places, outward = rounding
 
     def move(p: Point) -> Point:
@@ -137,8 +128,8 @@ def round_region(region: Region, places: int, side: Side = "closest") -> Rounded
     Raises:
         PolygonError: the closest grid points do not form a region.
 
-    Cost: O(n log n) for n vertices, plus an `Overlap` for each ring; a few times this if vertices
-        are dropped.
+    Cost: O(n log n) for n vertices, plus an `Overlap` for each ring; a few times as much if
+        vertices are dropped.
 
     Example:
         >>> part = Region([(0, 0), ("10/3", 0), ("10/3", "7/3"), (0, "7/3")])
@@ -271,7 +262,7 @@ def _quadrant(x: Rational, y: Rational) -> int:
 
 
 def _closest(v: Point, e: Vertex, f: Vertex) -> list[Point]:
-    """Return the closest grid point on or right of the lines of e and f, if one is near."""
+    """Return the closest grid point on or right of the lines of e and f, if within reach."""
     near = [
         (by[0] * by[0] + by[1] * by[1], Point(Fraction(x), Fraction(y)))
         for x in range(floor(v.x) - _REACH, ceil(v.x) + _REACH + 1)
@@ -283,7 +274,7 @@ def _closest(v: Point, e: Vertex, f: Vertex) -> list[Point]:
 
 
 def _ears(corners: Sequence[Point]) -> list[tuple[Rational, int]]:
-    """Return twice the area of the ear at each right turn, and the index."""
+    """Return twice the area of the ear at each right turn, and its index."""
     turns = (
         orientation(corners[i - 1], v, corners[(i + 1) % len(corners)])
         for i, v in enumerate(corners)
@@ -303,7 +294,7 @@ def _hull(points: Sequence[Point]) -> list[Point]:
 def _distance(
     points: Sequence[Point], alive: Sequence[int], chains: Sequence[Sequence[Point]]
 ) -> Fraction:
-    """Bound the distance between the old and the new ring; along an edge, an end is farthest."""
+    """Bound the distance between old and new ring; along an edge, it is greatest at an end."""
     largest = Fraction(0)
     for position, (i, new) in enumerate(zip(alive, chains, strict=True)):
         largest = max(largest, *(_measure(points[i], (p, p)) for p in new))

@@ -35,9 +35,8 @@ def parse_wkt(text: str, notes: dict[str, None] | None = None) -> list[Candidate
     `notes` receives a note on open rings. Raises FormatError, with line and column, for M
     coordinates, varying Z in a polygon, and syntax errors.
 
-    Example:
-        >>> [len(o.vertices()) for o in parse_wkt("POLYGON ((0 0, 1 0, .5 1e2, 0 0))")]
-        [4]
+    >>> [len(o.vertices()) for o in parse_wkt("POLYGON ((0 0, 1 0, .5 1e2, 0 0))")]
+    [4]
     """
     reader = _Reader(text)
     found = [*allow_faults(reader.outlines())]
@@ -66,7 +65,6 @@ class _Reader:
             yield from self._geometry(0)
 
     def path(self) -> list[Point]:
-        """Read a LINESTRING or POINT, the only geometry of the text."""
         self._skip_name()
         found = self._list(self._point)
         if self.kind != "end":

@@ -32,17 +32,17 @@ def format_polygons(
 ) -> str:
     """Write polygons as text that `parse_regions` reads back exactly.
 
-    In DXF, each ring is a closed polyline, even of a hole.
+    In DXF, each ring, even of a hole, is a closed polyline.
 
     Args:
-        polygons: Polygons and Regions, named or not. DXF uses the layer, the name, or "0" as layer.
+        polygons: Polygons and Regions, named or not. The DXF layer is the layer, the name, or "0".
         form: one of FORMATS.
         fits: exact fits, pairs of points: LINESTRINGs and POINTs in WKT and GeoJSON, lines on the
             layer "exact fits" in DXF, open lines in SVG, separate rows in CSV.
         decimals: whether to write JSON numbers as decimals instead of strings.
         coordinates: the direction of Y and the unit, as from `read_regions`. Y is flipped if it
             differs from the format (down in SVG, up in all others); SVG and DXF state the unit. By
-            default numbers are unchanged.
+            default, numbers remain unchanged.
 
     Raises:
         FormatError: an unknown format, no polygon, a number such as 1/3 in a format other than
@@ -104,7 +104,6 @@ def write_wkt_polygon(rings: Mapping[str, Sequence[Point]]) -> str:
 
 
 def write_wkt_points(name: str, points: Sequence[Point]) -> str:
-    """Write points as a parenthesized WKT list."""
     return f"({', '.join(f'{x} {y}' for x, y in _row(name, points, 'WKT'))})"
 
 
@@ -167,7 +166,7 @@ def _svg(regions: Sequence[NamedRegion], fits: Sequence[Fit], unit: Fraction | N
 
 
 def _length(number: Fraction, unit: Fraction) -> str:
-    """Format an SVG length, in the given unit if SVG has it, else in mm."""
+    """Format an SVG length, in the given unit if SVG supports it, else in mm."""
     for name in ("mm", "cm", "in", "pt", "pc", "px"):
         if UNITS[name] == unit:
             return f"{format_decimal(number)}{name}"
@@ -175,7 +174,7 @@ def _length(number: Fraction, unit: Fraction) -> str:
 
 
 def _dxf(regions: Sequence[NamedRegion], fits: Sequence[Fit], unit: Fraction | None) -> str:
-    # Some readers assume metres if the unit is missing.
+    # Some readers assume meters if the unit is missing.
     code = next((code for code, known in INSUNITS.items() if known == unit), 0)
     tags: list[tuple[int, object]] = [(0, "SECTION"), (2, "HEADER"), (9, "$INSUNITS"), (70, code)]
     tags += [(0, "ENDSEC"), (0, "SECTION"), (2, "ENTITIES")]
@@ -227,7 +226,6 @@ def _name(polygon: AnyPolygon | NamedPolygon | NamedRegion) -> NamedRegion:
 
 
 def _name_rings(k: int, region: NamedRegion) -> Mapping[str, Sequence[Point]]:
-    """Return the rings of region k, keyed by their names in messages."""
     name = f"polygon {k}" if region.name is None else ascii(region.name)[1:-1]
     exterior, *holes = region.region.rings
     return {name: exterior} | {f"{name}, hole {j}": hole for j, hole in enumerate(holes)}

@@ -38,7 +38,6 @@ class Affine(NamedTuple):
         return Affine(*x, *y, *self.point(first.e, first.f), off)
 
     def point(self, x: Fraction, y: Fraction) -> Point:
-        """Map a point."""
         if self is IDENTITY:
             return Point(x, y)
         u, v = self.vector(x, y)
@@ -62,18 +61,15 @@ def _add_products(a: Fraction, x: Fraction, b: Fraction, y: Fraction) -> Fractio
 
 
 def make_affine(*numbers: int | Fraction) -> Affine:
-    """Make a map from its six coefficients."""
     found = Affine(*map(Fraction, numbers))
     return IDENTITY if found == IDENTITY else found
 
 
 def make_shift(x: Rational, y: Rational) -> Affine:
-    """Make a translation."""
     return make_affine(1, 0, 0, 1, x, y)
 
 
 def make_scaling(x: Rational, y: Rational) -> Affine:
-    """Make an axis-parallel scaling."""
     return make_affine(x, 0, 0, y, 0, 0)
 
 

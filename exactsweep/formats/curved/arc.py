@@ -1,6 +1,6 @@
-"""Rational approximation of angles with irrational sines, and arcs between such angles.
+"""Rational approximation of irrational points on a circle, and arcs between them.
 
-The end of an arc is a rational point of the circle at most 10**-40 radii from the true end, as
+The end of an arc is a rational point on the circle at most 10**-40 radii from the true end, as
 interval arithmetic proves.
 """
 
@@ -35,7 +35,7 @@ def make_arc(image: Affine, start: Fraction, end: Fraction) -> Path:
 
 
 def make_rotation(degrees: Fraction, power: int = 1) -> Affine:
-    """Make a rotation by an angle in degrees, with an error of at most 10**(-40 * power)."""
+    """Make a rotation, with an error of at most 10**(-40 * power)."""
     off = _NEAR**power if degrees % 90 else Fraction(0)
     c, s = find_unit_point(degrees, off)
     return make_affine(c, s, -s, c, 0, 0)._replace(off=off)
@@ -63,7 +63,7 @@ def _round_half_tangent(degrees: Fraction, allowed: Fraction) -> Fraction:
 def to_degrees(radians: Fraction) -> Fraction:
     """Convert radians to a decimal number of degrees, with an error of at most 10**-100.
 
-    Only 0 becomes a multiple of 90, because other rational angles have irrational cosines.
+    Only 0 becomes a multiple of 90: other multiples of 90 degrees are irrational in radians.
     """
     if abs(radians) > _MAX_TURN:
         raise FormatError(f"an angle beyond {_MAX_TURN} radians")

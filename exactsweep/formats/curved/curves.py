@@ -23,18 +23,14 @@ from typing import NamedTuple, Protocol
 from exactsweep.formats.curved.affine import Affine
 from exactsweep.numbers.number import Point
 
-BITS = 30
-"""The number of bits of a place."""
-
-WHOLE = 1 << BITS
-"""The place at the end of a curve."""
-
+BITS = 30  # of a place
+WHOLE = 1 << BITS  # the place at the end of a curve
 _TURN_BITS = 40
 _MARGIN = Fraction(1 + 2**-20)
 
 
 class Curve(Protocol):
-    """A curve without its ends."""
+    """A curve without its endpoints."""
 
     def bend(self) -> Fraction:
         """Bound the length of the second derivative."""
@@ -78,7 +74,6 @@ class Bezier(NamedTuple):
         return (twice + 2 * n * _largest(first_w) * speed) / least / scale
 
     def least(self) -> int:
-        """Return 1."""
         return 1
 
     def _lattice(self) -> tuple[int, list[tuple[int, int]]]:
@@ -86,7 +81,6 @@ class Bezier(NamedTuple):
         return scale, [(int(x * scale), int(y * scale)) for x, y in self.controls]
 
     def points(self, places: Iterable[int], grid: int) -> list[Point]:
-        """Return the points at the given places, rounded to multiples of 1 / grid."""
         scale, controls = self._lattice()
         columns: list[Sequence[int]] = [*zip(*controls, strict=True)]
         if self.weights:
@@ -106,7 +100,6 @@ class Bezier(NamedTuple):
         return [Point(Fraction(x, grid), Fraction(y, grid)) for x, y in zip(xs, ys, strict=True)]
 
     def sampler(self) -> Callable[[int], complex]:
-        """Return a function from places to float points relative to the start."""
         x, y = self.controls[0]
         weights = [*map(float, self.weights)] or [1.0] * len(self.controls)
         lifted = [
@@ -142,7 +135,6 @@ class Arc(NamedTuple):
         return (sums[0] + sums[1]) / 2
 
     def bend(self) -> Fraction:
-        """Bound the length of the second derivative, by (2)."""
         return self.radius * Fraction(self.span) ** 2 * _MARGIN
 
     def least(self) -> int:
@@ -150,7 +142,6 @@ class Arc(NamedTuple):
         return max(1, ceil(self.span / (pi / 2) - 2**-30))
 
     def points(self, places: Iterable[int], grid: int) -> list[Point]:
-        """Return the points at the given places, rounded to multiples of 1 / grid."""
         image = self.image[:6]
         scale = lcm(*(number.denominator for number in image))
         a, b, c, d, e, f = (int(number * scale) for number in image)
@@ -164,7 +155,6 @@ class Arc(NamedTuple):
         return [Point(Fraction(x, grid), Fraction(y, grid)) for x, y in zip(xs, ys, strict=True)]
 
     def sampler(self) -> Callable[[int], complex]:
-        """Return a function from places to float points relative to the start."""
         a, b, c, d = map(float, self.image[:4])
 
         def near(place: int) -> complex:
@@ -214,7 +204,7 @@ def round_root_up(square: Fraction, scale: int = 1) -> Fraction:
 
 
 def find_arc_center(start: Point, end: Point, height: Fraction) -> Point:
-    """Return the center of an arc, `height` half chords to the left of the chord's midpoint."""
+    """Return the center of an arc, `height` half chords left of the chord's midpoint."""
     dx, dy = (end.x - start.x) / 2, (end.y - start.y) / 2
     return Point(start.x + dx - height * dy, start.y + dy + height * dx)
 
@@ -222,10 +212,7 @@ def find_arc_center(start: Point, end: Point, height: Fraction) -> Point:
 def make_round_arc(
     center: Point, start: Point, end: Point, image: Affine, *, left: bool
 ) -> tuple[Arc, bool]:
-    """Return the image of a circular arc, and whether it runs from start to end.
-
-    Equal ends make a full circle. `left` means counter-clockwise.
-    """
+    """Return the image of a circular arc, or a full circle if its ends are equal."""
     if not left:
         start, end = end, start
     x, y, p, q = start.x - center.x, start.y - center.y, end.x - center.x, end.y - center.y
@@ -235,7 +222,6 @@ def make_round_arc(
 
 
 def make_bezier(controls: Sequence[Point], weights: Sequence[Fraction] = ()) -> tuple[Bezier, bool]:
-    """Return a Bezier curve in its canonical direction, and whether that is the given one."""
     if [*controls] <= [*controls[::-1]]:
         return Bezier(controls, weights), True
     return Bezier(controls[::-1], weights[::-1]), False

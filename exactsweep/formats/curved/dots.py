@@ -27,5 +27,4 @@ def draw_dot(path: Path, shape: PlacedElement, matrix: Affine) -> Path | None:
 
 
 def is_point(path: Path) -> bool:
-    """Return whether a path has no length."""
     return not path.curves and len({*path.points}) == 1

@@ -19,19 +19,14 @@ from exactsweep.formats.error import FormatError, OrnamentError
 from exactsweep.formats.reading import Reading
 from exactsweep.numbers.number import Point
 
-# Entities without an outline: fills and infinite lines.
-_ORNAMENTS = {"HATCH", "XLINE", "RAY"}
+_ORNAMENTS = {"HATCH", "XLINE", "RAY"}  # fills and infinite lines
 _CLOSED, _IN_SPACE, _MESH = 1, 8, 16 | 64
-# Entities with irrational ends.
-_ROUND = {"ARC", "ELLIPSE"}
+_ROUND = {"ARC", "ELLIPSE"}  # entities with irrational ends
 _FULL, _ZERO = Fraction(360), Fraction(0)
 
 
 def parse_dxf(text: str, reading: Reading) -> list[Candidate]:
-    """Find the outlines of an ASCII DXF text, joining open lines on the same layer.
-
-    Raises FormatError if the text is not DXF, a requested unit is unknown, or a limit is exceeded.
-    """
+    """Find the outlines of an ASCII DXF text, joining open lines on the same layer."""
     drawing = read_drawing(text)
     scale = reading.scale(drawing.unit)
     image = make_scaling(scale, scale)
@@ -139,7 +134,7 @@ def _read_spline(entity: Entity, image: Affine, reading: Reading) -> Path:
 
 
 def _read_solid(entity: Entity, image: Affine, reading: Reading) -> Path:
-    """Read a filled triangle or quadrangle; DXF swaps the last two corners."""
+    """Read a filled triangle or quadrilateral; DXF swaps the last two corners."""
     reading.require_level(entity.take(30, 31, 32, 33, default="0"))
     codes = (10, 11, 13, 12) if entity.numbers(13) else (10, 11, 12)
     return draw_lines([entity.point(code) for code in (*codes, 10)], image @ entity.plane)

@@ -12,39 +12,25 @@ from exactsweep.formats.error import FormatError
 from exactsweep.formats.reading import MAX_COPIES, Reading
 from exactsweep.numbers.error import quote
 
-MAX_DEPTH = 32
-"""Maximum depth of nested blocks."""
-
+MAX_DEPTH = 32  # of nested blocks
 # Entities that draw no outline.
 _NOTES = {"TEXT", "MTEXT", "ATTDEF", "ATTRIB", "DIMENSION", "LEADER", "MULTILEADER", "TOLERANCE"}
 _NOTES |= {"POINT", "VIEWPORT", "IMAGE", "WIPEOUT"}
 
 
 class PlacedEntity(NamedTuple):
-    """An entity in its place in the drawing.
-
-    Attributes:
-        image: the map from the entity to the drawing.
-        layer: its layer; "0" inside a block is replaced by the layer of the INSERT.
-        around: the locations of the INSERTs that draw it, for messages.
-        fault: why an INSERT cannot be drawn, else "".
-    """
-
     entity: Entity
-    image: Affine
-    layer: str
-    around: str = ""
-    fault: str = ""
+    image: Affine  # the map from the entity to the drawing
+    layer: str  # "0" inside a block is replaced by the layer of the INSERT
+    around: str = ""  # the locations of the INSERTs that draw it, for messages
+    fault: str = ""  # why an INSERT cannot be drawn
 
     @property
     def place(self) -> str:
-        """The kind and the line of the entity, for messages."""
         return f"{self.around}{self.entity.place}"
 
 
 class Blocks:
-    """The blocks of a drawing, and the maps of their INSERTs."""
-
     def __init__(self, drawing: Drawing, reading: Reading) -> None:
         self.drawing, self.blocks, self.reading = drawing, drawing.blocks, reading
         # Cached maps of each INSERT, by line.

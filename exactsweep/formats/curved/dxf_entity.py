@@ -23,12 +23,9 @@ _FROZEN = 1
 _NORMAL = {210: "0", 220: "0", 230: "1"}
 _MIRRORED = Affine(*map(Fraction, (-1, 0, 0, 1, 0, 0)))
 _FRAME = 16
-# Longer kinds are quoted.
-_LONG = 40
-# Minimum bytes of a group code and two line ends.
-_GROUP = 4
-FROZEN = "frozen"
-"""The state of a layer that also hides blocks inserted on it."""
+_LONG = 40  # longer kinds are quoted
+_GROUP = 4  # minimum bytes of a group code and two line ends
+FROZEN = "frozen"  # the state of a layer that also hides blocks inserted on it
 
 
 class Entity:
@@ -43,13 +40,11 @@ class Entity:
 
     @property
     def place(self) -> str:
-        """The kind and the line, for messages."""
         is_word = self.kind.isidentifier() and len(self.kind) < _LONG
         return f"line {self.line}: {self.kind if is_word else quote(self.kind)}"
 
     @property
     def layer(self) -> str:
-        """The name of its layer."""
         return self._text(_LAYER, "0")
 
     @property
@@ -65,33 +60,29 @@ class Entity:
             return read_decimal(text)
 
     def point(self, code: int) -> Point:
-        """Return the point whose x has a group code and whose y has that code plus 10."""
+        """Return the point with x at a group code and y at that code plus 10."""
         return Point(*self.take(code, code + 10))
 
     def flags(self) -> int:
-        """Return the bits of group 70."""
         return int(self.number(_FLAGS, "0"))
 
     @property
     def hidden(self) -> str:
-        """The reason that the entity is hidden regardless of its layer, or ""."""
+        """Why the entity is hidden regardless of its layer, or ""."""
         if self._text(_PAPER, "0") == "1":
             return "in paper space"
         return "made invisible" if self._text(_INVISIBLE, "0") == "1" else ""
 
     def numbers(self, code: int) -> list[Fraction]:
-        """Return all numbers with a group code."""
         return _read_group(code, [*compress(self.texts, map(code.__eq__, self.codes))])
 
     def points(self, code: int) -> list[Point]:
-        """Return all points with a group code, as in `point`."""
         xs, ys = self.numbers(code), self.numbers(code + 10)
         if len(xs) != len(ys):
             raise FormatError(f"{len(xs)} numbers of group {code}, {len(ys)} of group {code + 10}")
         return [*map(Point, xs, ys)]
 
     def take(self, *codes: int, default: str | None = None) -> list[Fraction]:
-        """Return one number for each group code, like `number`."""
         return [self.number(code, default) for code in codes]
 
     @property
@@ -104,11 +95,10 @@ class Entity:
 
     @property
     def name(self) -> str:
-        """The name in group 2."""
         return self._text(_NAME, None)
 
     def corners(self) -> tuple[list[Point], list[Fraction]]:
-        """Return the vertices of an LWPOLYLINE and the bulges of the edges after them."""
+        """Return the vertices of an LWPOLYLINE, and the bulge after each."""
         points = self.points(10)
         # The extra entry receives a bulge before the first point.
         bulges = [Fraction(0)] * (len(points) + 1)
@@ -120,7 +110,7 @@ class Entity:
         return points, bulges[:-1]
 
     def vertex_corners(self, reading: Reading) -> tuple[list[Point], list[Fraction]]:
-        """Return the vertices and bulges of a POLYLINE."""
+        """Return the vertices of a POLYLINE, and the bulge after each."""
         points, bulges, heights = [], [], []
         for vertex in self.vertices:
             with prefix_errors(vertex.place):
@@ -140,21 +130,14 @@ class Entity:
 
 
 class Drawing(NamedTuple):
-    """The contents of a DXF text.
-
-    Each block begins with its BLOCK entity, which has the base point. `hidden` maps the names of
-    hidden layers, in upper case, to reasons.
-    """
-
     entities: list[Entity]
-    blocks: dict[str, list[Entity]]
+    blocks: dict[str, list[Entity]]  # each begins with its BLOCK entity, which has the base point
     unit: Fraction | None
-    hidden: dict[str, str]
+    hidden: dict[str, str]  # hidden layers, in upper case, with reasons
     unplotted: set[str]
 
 
 def read_drawing(text: str) -> Drawing:
-    """Read a DXF text; raises FormatError if it is not DXF."""
     sections = _read_sections(text)
     blocks: dict[str, list[Entity]] = {}
     current: list[Entity] = []
@@ -168,7 +151,7 @@ def read_drawing(text: str) -> Drawing:
 
 
 def _read_sections(text: str) -> dict[str, list[Entity]]:
-    """Find the entities of each section; the SECTION entity comes first, with the header values."""
+    """Find the entities of each section; the SECTION entity, with the header, comes first."""
     require_size(len(text))
     sections: dict[str, list[Entity]] = {}
     section: list[Entity] | None = None

@@ -1,4 +1,4 @@
-"""Joining of open lines to closed outlines."""
+"""Joining of open lines into closed outlines."""
 
 from __future__ import annotations
 
@@ -8,13 +8,7 @@ from fractions import Fraction
 from typing import NamedTuple
 
 from exactsweep.formats.candidate import Candidate
-from exactsweep.formats.curved.path import (
-    CURVED,
-    Path,
-    find_grid,
-    find_share,
-    round_points,
-)
+from exactsweep.formats.curved.path import CURVED, Path, find_grid, find_share, round_points
 from exactsweep.formats.decimals import show_point
 from exactsweep.formats.error import FormatError
 from exactsweep.formats.reading import Reading
@@ -23,30 +17,18 @@ from exactsweep.numbers.error import prefix_errors
 from exactsweep.numbers.number import Point
 from exactsweep.words import count
 
-# Maximum number of joints near an end.
-_MAX_CROWD = 64
-# Gaps smaller than the reach divided by this are due to rounding.
-_ROUNDED = 250
+_MAX_CROWD = 64  # joints near an end
+_ROUNDED = 250  # gaps smaller than the reach divided by this are due to rounding
 
 
 class OpenLine(NamedTuple):
-    """An open line.
-
-    Attributes:
-        shape: its location, names and fill rule.
-        ends: its first and its last point.
-        path: the path between them; None for a straight line.
-        is_exact: whether its ends are exact.
-    """
-
-    shape: Candidate
+    shape: Candidate  # its location, names and fill rule
     ends: tuple[Point, Point]
-    path: Path | None = None
-    is_exact: bool = True
+    path: Path | None = None  # None for a straight line
+    is_exact: bool = True  # whether its ends are exact
 
     @classmethod
     def of(cls, shape: Candidate, path: Path, *, is_exact: bool) -> OpenLine:
-        """Make an open line from a path."""
         is_straight = len(path.points) == 2 and path.is_exact
         ends = path.points[0], path.points[-1]
         return cls(shape, ends, None if is_straight else path, is_exact)
@@ -62,7 +44,7 @@ class OpenLine(NamedTuple):
 
 
 class _Joined(NamedTuple):
-    """A line, its index in the file, and the joints of its ends."""
+    """A line, its index in the file, and the joints at its ends."""
 
     order: int
     line: OpenLine
@@ -87,7 +69,7 @@ def join(lines: Mapping[int, OpenLine], reading: Reading) -> Iterator[tuple[int,
     """Join the lines of one layer; yield the candidates with their indices.
 
     Each end snaps to the nearest joint within reach, or becomes a new joint. Exact ends come first,
-    with a reach of `reading.join`; the reach of the others is at least a quarter of the tolerance.
+    with a reach of `reading.join`; the reach of other ends is at least a quarter of the tolerance.
     Repeated lines are ignored. A line with both ends at one joint is dropped if an outline passes
     through it; otherwise it is rejected, since it may be a hole. Connected lines are rejected
     unless exactly two ends meet at each joint; a single straight line is an ornament.
@@ -142,7 +124,6 @@ def _is_long(line: OpenLine, reach: Fraction) -> bool:
 
 
 def find_tolerance(lines: Iterable[OpenLine]) -> Fraction:
-    """Derive the tolerance from the size of the drawing; ends join within a quarter of it."""
     xs, ys = zip(*(end for line in lines for end in line.ends), strict=True)
     return find_share(max(max(xs) - min(xs), max(ys) - min(ys)), CURVED)
 
@@ -182,7 +163,6 @@ class Joints:
             self._add(joint)
 
     def find(self, end: Point) -> int:
-        """Return the index of the closest joint within reach, or of a new one."""
         key = end.x.numerator, end.x.denominator, end.y.numerator, end.y.denominator
         if key not in self._found:
             self._found[key] = self._find_closest(end) if self.reach else self._add(end)

@@ -28,8 +28,7 @@ from exactsweep.numbers.number import Point
 _Found = TypeVar("_Found")
 _CHORDS = Fraction(12, 25)
 _LEVELS = 3
-# Curves are far apart at this many tolerances, or at more than 60 degrees.
-_APART = 8
+_APART = 8  # tolerances; curves are also far apart at more than 60 degrees
 _SAMPLES = 8
 _BISECTIONS = 32
 # Divisors of the size of a path for the default tolerance, with and without curves.
@@ -37,7 +36,7 @@ CURVED, _STRAIGHT = 1000, 10**9
 
 
 class _End:
-    """A curve parametrized from one of its ends."""
+    """A curve, parametrized from one of its ends."""
 
     def __init__(self, curve: Curve, *, at_start: bool) -> None:
         self.at_start, self._near = at_start, curve.sampler()
@@ -48,7 +47,7 @@ class _End:
 
 
 class SimpleLines(list[Point]):
-    """The vertices of a closed polyline, and their Polygon if it is simple."""
+    """The vertices of a closed polyline, and its Polygon if simple."""
 
     def __init__(self, points: Iterable[Point], polygon: Polygon | None) -> None:
         super().__init__(points)
@@ -56,14 +55,7 @@ class SimpleLines(list[Point]):
 
 
 class Path:
-    """Points, with lines or curves between them; a closed path repeats its first point.
-
-    Attributes:
-        curves: by the index of the first point, each with whether it runs forward.
-        off: a bound on the error of points and curves.
-        soft: the indices of points that may be rounded, such as spline joints.
-        gap: the distance by which ends were moved to other lines.
-    """
+    """Points, with lines or curves between them; a closed path repeats its first point."""
 
     __slots__ = ("_lines", "curves", "gap", "off", "points", "soft")
 
@@ -73,13 +65,14 @@ class Path:
         curves: dict[int, tuple[Curve, bool]] | None = None,
         off: Fraction = Fraction(0),
     ) -> None:
-        self.points, self.off, self.gap = [*points], off, Fraction(0)
-        self.curves = {} if curves is None else curves
-        self.soft: set[int] = set()
+        self.points = [*points]
+        self.off = off  # bounds the error of points and curves
+        self.gap = Fraction(0)  # the distance by which ends were moved to other lines
+        self.curves = {} if curves is None else curves  # with directions, by the first point
+        self.soft: set[int] = set()  # points that may be rounded, such as spline joints
         self._lines: tuple[Fraction, list[Point]] | None = None
 
     def add_curve(self, curve: Curve, end: Point, *, forward: bool) -> None:
-        """Append a curve."""
         self.curves[len(self.points) - 1] = curve, forward
         self.points.append(end)
 
@@ -92,7 +85,6 @@ class Path:
         self.off, self.gap = max(self.off, other.off), max(self.gap, other.gap)
 
     def reversed(self) -> Path:
-        """Return the reversed path."""
         last = len(self.points) - 2
         curves = {last - k: (curve, not way) for k, (curve, way) in self.curves.items()}
         found = Path(self.points[::-1], curves, self.off)
@@ -125,17 +117,15 @@ class Path:
 
     @property
     def is_closed(self) -> bool:
-        """Whether the last point equals the first."""
         return self.points[0] == self.points[-1]
 
     @property
     def is_exact(self) -> bool:
-        """Whether it has neither curves nor irrational points."""
         return not self.curves and not self.off
 
     @property
     def size(self) -> Fraction:
-        """The approximate longer side of the bounding box."""
+        """The approximate length of the longer side of the bounding box."""
         xs, ys = [x for x, _ in self.points], [y for _, y in self.points]
         for k, (curve, forward) in self.curves.items():
             x, y = self.points[k if forward else k + 1]
@@ -147,7 +137,6 @@ class Path:
         return max(max(xs) - min(xs), max(ys) - min(ys))
 
     def find_tolerance(self, reading: Reading) -> Fraction:
-        """Return the tolerance of the reading, or derive it from the size of the path."""
         if self.is_exact:
             return Fraction(0)
         if reading.tolerance is not None:
@@ -160,10 +149,7 @@ class Path:
         return tolerance + (self.gap if 4 * self.gap > tolerance else 0)
 
     def flatten(self, reading: Reading, finer: int = 0) -> list[Point]:
-        """Replace curves by chords, refined if a closed path would cross itself.
-
-        Raises FormatError for too many chords. Cost: O((size / tolerance) ** 0.5) for each curve.
-        """
+        """Replace curves by chords, refined if a closed path would cross itself."""
         if self.is_exact:
             return self.points
         tolerance = self.find_tolerance(reading) / 10**finer
@@ -180,7 +166,6 @@ class Path:
         return found
 
     def draw(self, tolerance: Fraction, reading: Reading, *, fine: bool = False) -> list[Point]:
-        """Replace curves by chords within a tolerance."""
         grid = find_grid(tolerance / (1000 if fine else 1))
         places = {k: _divide(curve, tolerance, reading) for k, (curve, _) in self.curves.items()}
         if self.off * 16 > tolerance:
@@ -250,7 +235,7 @@ class Path:
 
 
 def _divide(curve: Curve, tolerance: Fraction, reading: Reading) -> list[int]:
-    """Return the parameters between chords within their share of the tolerance."""
+    """Return the parameters of vertices, so that chords use only their share of the tolerance."""
     bend = curve.bend() / (8 * _CHORDS * tolerance)
     count = max(curve.least(), -(-round_root_up(bend) // 1))
     reading.allow_lines(count)
@@ -258,7 +243,7 @@ def _divide(curve: Curve, tolerance: Fraction, reading: Reading) -> list[int]:
 
 
 def _list_distances(end: _End, places: Sequence[int]) -> list[tuple[float, int]]:
-    """List pairs (distance from the end, place) while the distance grows."""
+    """List pairs (distance from the end, parameter) while the distance grows."""
     row: list[tuple[float, int]] = [(0.0, 0)]
     ordered = sorted(places) if end.at_start else [WHOLE - p for p in sorted(places)[::-1]]
     for place in [*ordered, WHOLE]:
@@ -270,7 +255,7 @@ def _list_distances(end: _End, places: Sequence[int]) -> list[tuple[float, int]]
 
 
 def _find_place(end: _End, row: Sequence[tuple[float, int]], distance: float) -> int:
-    """Find the place at a distance from the end, by bisection."""
+    """Find the parameter at a distance from the end, by bisection."""
     low = high = 0
     for known, place in row:
         if known == distance:
@@ -290,10 +275,7 @@ def flatten_together(
     use: Callable[[list[list[Point]]], _Found],
     *first: list[Point],
 ) -> tuple[list[list[Point]], _Found | None]:
-    """Flatten paths, more finely while `use` raises PolygonError.
-
-    Returns the rings and the result of `use`, or the coarsest rings and None if all attempts fail.
-    """
+    """Flatten paths, more finely while `use` raises PolygonError; on failure, coarsely and None."""
     said = ""
     found = rings = [*first] or [path.flatten(reading) for path in paths]
     for finer in range(1, _LEVELS + 2):
@@ -332,24 +314,20 @@ def find_grid(tolerance: Fraction) -> int:
 
 
 def round_points(points: Iterable[Point], grid: int) -> list[Point]:
-    """Move points to a decimal grid."""
     return [
         Point(Fraction(round(x * grid), grid), Fraction(round(y * grid), grid)) for x, y in points
     ]
 
 
 def place_points(points: Sequence[Point], image: Affine) -> list[Point]:
-    """Map points exactly."""
     return [*points] if image is IDENTITY else [image.point(*point) for point in points]
 
 
 def draw_lines(points: Sequence[Point], image: Affine) -> Path:
-    """Make the path through the images of points."""
     return Path(place_points(points, image), off=image.error(points) if image.off else Fraction(0))
 
 
 def draw_circle(image: Affine) -> Path:
-    """Make the path of the image of the unit circle."""
     one, zero = Fraction(1), Fraction(0)
     start = image.point(one, zero)
     arc = Arc(image._replace(off=zero), 0.0, 2 * pi)

@@ -1,7 +1,7 @@
 """Exact conversion of B-splines to Bezier curves, by polar forms.
 
 The polar form of a piece of degree p is symmetric in p arguments, affine in each, and equals the
-curve if all are equal. Its values at (u, ..., u, v, ..., v) are the Bezier control points of the
+curve where all are equal. Its values at (u, ..., u, v, ..., v) are the Bezier control points of the
 piece from u to v (L. Ramshaw, Computer Aided Geometric Design 6, 1989).
 """
 
@@ -19,9 +19,7 @@ from exactsweep.formats.curved.path import Path, place_points
 from exactsweep.formats.error import FormatError
 from exactsweep.numbers.number import Point
 
-MAX_DEGREE = 11
-"""Maximum degree; CAD programs use no higher one."""
-
+MAX_DEGREE = 11  # CAD programs use no higher one
 _Lifted = tuple[Fraction, ...]
 
 
@@ -64,7 +62,6 @@ class Spline(NamedTuple):
         return cls(3, controls, [ends[0], *(u for u in ends for _ in range(3)), ends[-1]])
 
     def require_sound(self) -> None:
-        """Reject an invalid degree, and invalid knots or weights."""
         size = len(self.points)
         if not 1 <= self.degree <= MAX_DEGREE:
             raise FormatError(f"the degree is {self.degree}, not 1 to {MAX_DEGREE}")
@@ -115,7 +112,6 @@ class Spline(NamedTuple):
         return found
 
     def draw(self, image: Affine) -> Path:
-        """Return the image as a path."""
         found = Path()
         for points, weights in self.pieces():
             mapped = place_points(points, image)

@@ -12,12 +12,7 @@ from exactsweep.formats.candidate import Candidate, allow_faults, choose_same
 from exactsweep.formats.curved.affine import Affine
 from exactsweep.formats.curved.dots import draw_dot, is_point
 from exactsweep.formats.curved.join import OpenLine, draw_outline, gather
-from exactsweep.formats.curved.path import (
-    Path,
-    draw_circle,
-    draw_lines,
-    flatten_together,
-)
+from exactsweep.formats.curved.path import Path, draw_circle, draw_lines, flatten_together
 from exactsweep.formats.curved.svg_path import Subpaths, read_path
 from exactsweep.formats.curved.svg_placed import PlacedElement
 from exactsweep.formats.curved.svg_style import Style, find_link, name_kind
@@ -40,22 +35,13 @@ _CONDITIONS = {"requiredExtensions", "requiredFeatures", "systemLanguage"}
 _INVISIBLE = ("hidden", "collapse")
 _TOO_FEW = "fewer than three vertices"
 _UNPAINTED = ("none", "transparent")
-
-MAX_DEPTH = 32
-"""Maximum depth of nested uses."""
+MAX_DEPTH = 32  # of nested uses
 
 
 def parse_svg(text: str, reading: Reading) -> list[Candidate]:
     """Find the outlines of an SVG document, named by their ids, in order.
 
     Coordinates are user units unless a unit is requested; Y points down.
-
-    Raises:
-        FormatError: not XML or not SVG, invalid entities, excessive nesting, an unknown unit if
-            one is requested, or exceeded limits.
-
-    Cost: linear in the length of the text and in the number of drawn elements, plus
-        `exactsweep.formats.filling.fill` for paths with several subpaths.
 
     Example:
         >>> text = '<svg xmlns="http://www.w3.org/2000/svg"><path id="a" d="M0 0h2v.5z"/></svg>'
@@ -93,8 +79,6 @@ def _draw(shapes: Iterator[PlacedElement], reading: Reading) -> Iterator[Candida
 
 
 class Document:
-    """The elements of a document."""
-
     def __init__(self, root: Element, reading: Reading) -> None:
         self.reading = reading
         elements = list(root.iter())
@@ -158,7 +142,7 @@ class Document:
 
 
 def find_reason_hidden(placed: PlacedElement) -> str:
-    """Return why an element is hidden, for `Reading.hides`; "" if it is visible."""
+    """Return why an element is hidden; "" if it is visible."""
     name = name_kind(placed.element)
     if name in SHAPES and placed.inherited("visibility", "visible") in _INVISIBLE:
         return f"{name} that is not visible"
@@ -203,7 +187,6 @@ def _read(shape: PlacedElement, reading: Reading) -> list[Candidate | OpenLine]:
 
 
 def is_filled(shape: PlacedElement) -> bool:
-    """Return whether a shape is filled."""
     return shape.inherited("fill", "black") not in _UNPAINTED
 
 

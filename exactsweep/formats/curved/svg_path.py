@@ -29,16 +29,15 @@ _ARC = _NUMBER * 3 + r"[\s,]*+([01])" * 2 + _NUMBER * 2
 _RUN = re.compile(
     rf"(?P<letter>[A-Za-z])(?P<numbers>(?<=[Aa])(?:{_ARC})*+|(?<![Aa])(?:{_NUMBER})*+)[\s,]*+"
 )
-# How many numbers each command needs.
+# Numbers per command.
 _SIZES = {"M": 2, "L": 2, "H": 1, "V": 1, "C": 6, "S": 4, "Q": 4, "T": 2, "A": 7, "Z": 0}
 _WANTED = {0: "no number", 1: "numbers", 7: "7 numbers, the flags 0 or 1, or a multiple,"}
 _BEZIERS = "CSQT"
-# The height of an arc is rounded to a multiple of 1 / _HEIGHTS.
-_HEIGHTS = 10**40
+_HEIGHTS = 10**40  # the height of an arc is rounded to a multiple of 1 / _HEIGHTS
 
 
 def read_path(data: str, matrix: Affine, reading: Reading) -> list[Path]:
-    """Read path data; return a Path for each subpath. Raises FormatError with the character."""
+    """Read path data; return a Path for each subpath."""
     drawn = Subpaths(matrix, reading)
     place = len(data) - len(data.lstrip(" \t\r\n\f,"))
     while place < len(data):
@@ -78,8 +77,6 @@ def _refuse(reason: str, place: int) -> NoReturn:
 
 
 class Subpaths:
-    """Subpaths, built command by command."""
-
     def __init__(self, matrix: Affine, reading: Reading) -> None:
         self.matrix, self.reading = matrix, reading
         self.current = self.start = ORIGIN
@@ -152,7 +149,7 @@ class Subpaths:
         self._let_off(ends)
 
     def _curve(self, drawn: tuple[Curve, bool], end: Point, around: list[Point]) -> None:
-        """Append a curve inside the hull of `around`."""
+        """Append a curve inside the convex hull of `around`."""
         curve, forward = drawn
         self.current = end
         (placed,) = place_points([end], self.matrix)
@@ -181,8 +178,6 @@ def make_elliptic_arc(
     chord, with rational k**2. An error d of k moves the arc by at most 2 d, because a ray from one
     end meets both arcs at most 2 d apart. An irrational angle is replaced by one with rational sine
     and cosine, so that rotating back and forth preserves the ends.
-
-    `flags` are SVG's large-arc and sweep flags.
     """
     (rx, ry), (large, left) = radii, flags
     # The height is a square root, so its error is the root of the angle's error.

@@ -48,7 +48,6 @@ class PlacedElement:
 
     @cached_property
     def styled(self) -> dict[str, str]:
-        """The properties set by styles."""
         return self._style.read(self.element) if self._style else {}
 
     def style(self, name: str) -> str | None:
@@ -56,7 +55,7 @@ class PlacedElement:
         return self.styled.get(name, self.element.get(name))
 
     def inherited(self, name: str, initial: str) -> str:
-        """Return an inherited property, caching it for all ancestors."""
+        """Return an inherited property, and cache it for all ancestors."""
         asked: list[PlacedElement] = []
         placed: PlacedElement | None = self
         while placed is not None and name not in placed._inherited:
@@ -70,7 +69,6 @@ class PlacedElement:
 
     @cached_property
     def place(self) -> str:
-        """The line, the kind and the id of the element, for messages."""
         name = f" {quote(self.element.attrib['id'])}" if "id" in self.element.attrib else ""
         return f"line {line(self.element)}: {name_kind(self.element)}{name}"
 
@@ -129,7 +127,7 @@ class PlacedElement:
             return read_decimal(number) * (self._whole(name) / 100 if unit == "%" else _PX[unit])
 
     def _whole(self, name: str) -> Fraction:
-        """Return the side of the viewport to which a percentage refers."""
+        """Return the side of the viewport that a percentage refers to."""
         width, height = self.parent.viewport if self.parent else (None, None)
         across = name in ("x", "x1", "x2", "cx", "rx", "width")
         found = width if across or width == height else None if name == "r" else height
@@ -153,7 +151,7 @@ class PlacedElement:
             return None
 
     def size(self, name: str, default: str | None = None) -> Fraction:
-        """Return a length attribute, and reject negative ones."""
+        """Return a nonnegative length attribute."""
         found = self.length(name, default)
         if found < 0:
             raise FormatError(f"{name} is negative")
@@ -203,7 +201,7 @@ class PlacedElement:
         return at @ make_shift(*rests) @ make_scaling(*fitted) @ make_shift(-left, -top)
 
     def _fit(self, scales: list[Fraction]) -> tuple[list[Fraction], list[Fraction]]:
-        """Return the scales by preserveAspectRatio, and the share of unused room before each."""
+        """Return the scales by preserveAspectRatio, and the share of spare space before each."""
         ratio = self.element.get("preserveAspectRatio", "xMidYMid")
         fit, _, how = ratio.strip().partition(" ")
         if fit == "none":
@@ -231,7 +229,7 @@ class PlacedElement:
         return used.size(name, "100%")
 
 
-# Alignment as the share of unused room before a view.
+# Alignment as the share of the spare space before a view.
 _SHARES = {"Min": Fraction(0), "Mid": Fraction(1, 2), "Max": Fraction(1)}
 
 

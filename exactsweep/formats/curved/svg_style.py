@@ -12,8 +12,6 @@ if TYPE_CHECKING:
     from xml.etree.ElementTree import Element
 
 SPACE = "{http://www.w3.org/2000/svg}"
-"""The namespace of SVG."""
-
 # A comment, or an at-rule such as @media with its rules; possessive, to run in linear time.
 _PASSED = re.compile(
     r"/\*.*?(?:\*/|\Z)|<!--|-->|@[^{};]*+(?:;|\{(?:[^{}]*+\{[^{}]*+\})*+[^{}]*+\}|\{?)", re.DOTALL
@@ -25,8 +23,7 @@ _DRAWING = {"display", "visibility", "fill-rule", "transform", "transform-origin
 _DRAWING |= {"rotate", "scale", "translate"}
 _READ = {*_DRAWING, "fill", "stroke", "x", "y", "width", "height", "cx", "cy", "r", "rx", "ry"}
 
-_Declared = tuple[bool, int, str, str]
-"""A declaration: importance, order, name and value."""
+_Declared = tuple[bool, int, str, str]  # importance, order, name and value
 
 
 class Style:
@@ -78,7 +75,6 @@ def _list_declared(text: str, numbers: Iterator[int]) -> Iterator[_Declared]:
 
 
 def name_kind(element: Element) -> str:
-    """Return the SVG name of an element."""
     # The tag of a comment or processing instruction is a function.
     return element.tag.removeprefix(SPACE) if isinstance(element.tag, str) else ""
 

@@ -11,17 +11,14 @@ from exactsweep.formats.error import FormatError
 from exactsweep.numbers.error import quote
 
 _FUNCTION = re.compile(r"[\s,]*([A-Za-z]+)\s*\(([^()]*)\)[\s,]*")
-# Bounds the growth of products of many transforms.
-_MAX_BITS = 50_000
+_MAX_BITS = 50_000  # bounds the growth of products of many transforms
 
 
 def read_transform(text: str) -> Affine:
-    """Read a `transform` attribute, whose last function applies first; raises FormatError.
+    """Read a `transform` attribute; its last function applies first.
 
-    Example:
-        >>> text = "translate(10) rotate(90)"
-        >>> read_transform(text).point(*map(Fraction, (1, 0)))
-        Point(x=Fraction(10, 1), y=Fraction(1, 1))
+    >>> read_transform("translate(10) rotate(90)").point(*map(Fraction, (1, 0)))
+    Point(x=Fraction(10, 1), y=Fraction(1, 1))
     """
     product, place = IDENTITY, 0
     while place < len(text):
@@ -60,7 +57,6 @@ def _rotate(numbers: Sequence[Fraction]) -> Affine:
 
 
 def _skew_x(numbers: Sequence[Fraction]) -> Affine:
-    """Return the map with the tangent, within `off`, as its coefficient c."""
     (angle,) = numbers
     if angle % 45 == 0 and angle % 180 != 90:
         return make_affine(1, 0, {0: 0, 45: 1, 135: -1}[int(angle % 180)], 1, 0, 0)

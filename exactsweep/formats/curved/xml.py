@@ -11,25 +11,21 @@ from exactsweep.formats.size import ELEMENT, require_count, require_size
 if TYPE_CHECKING:
     from xml.etree.ElementTree import Element
 
-MAX_DEPTH = 100
-"""Maximum depth of nested elements."""
-
+MAX_DEPTH = 100  # of nested elements
 # References to entities, outside comments, CDATA and processing instructions.
 _REFERENCE = re.compile(
     r"<!--.*?(?:-->|\Z)|<!\[CDATA\[.*?(?:]]>|\Z)|<\?.*?(?:\?>|\Z)"
     r"|&(?!(?:lt|gt|amp|quot|apos);|#)(?P<entity>[^\s;&<]++);",
     re.DOTALL,
 )
-# Not a valid XML name, so it cannot collide with an attribute.
-_LINE = "#line"
-# Maximum number of entities, and maximum length of each.
-_MAX_ENTITY = 200
+_LINE = "#line"  # not a valid XML name, so it cannot collide with an attribute
+_MAX_ENTITY = 200  # entities, and characters in each
 
 
 def parse_xml(text: str) -> Element:
     """Parse an XML document, without fetching its document type.
 
-    Raises FormatError for undeclared, long or nested entities, deep nesting or too many elements.
+    Raises FormatError for undeclared, long or nested entities, deep nesting, or too many elements.
     """
     require_size(len(text))
     from xml.etree.ElementTree import ParseError, TreeBuilder
@@ -88,5 +84,5 @@ def parse_xml(text: str) -> Element:
 
 
 def line(element: Element) -> str:
-    """Return the line of an element from `parse_xml`."""
+    """Return the line number of an element from `parse_xml`."""
     return element.attrib[_LINE]

@@ -25,7 +25,6 @@ _DOCUMENT = "type", "instance_name", "name", "items", "container", "meta", "num_
 
 
 def read_instance(document: JsonNode) -> NestingInstance:
-    """Read the container and the items of an instance; raises FormatError."""
     parts = {}
     for k, item in enumerate((document / "items").each()):
         allowed = {"demand": item.get("quantity", "1").whole, "turns": ["0"], "mirrored": False}
@@ -37,7 +36,6 @@ def read_instance(document: JsonNode) -> NestingInstance:
 
 
 def read_solution(document: JsonNode, known: NestingInstance | None) -> list[FoundLayout]:
-    """Read a solution to an instance; raises FormatError."""
     instance = require_instance(known, "cgshop", "polygons")
     names = "item_indices", "x_translations", "y_translations"
     indices, xs, ys = ([*(document / name).each()] for name in names)

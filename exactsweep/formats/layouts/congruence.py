@@ -17,20 +17,12 @@ _EdgeShape = tuple[Fraction, Fraction, Fraction]
 
 
 class Congruence(NamedTuple):
-    """A map of a part: mirroring (x to -x), then rotation about the origin, then translation.
-
-    Attributes:
-        mirrored: whether the part is mirrored.
-        turn: the cosine and the sine.
-        move: the translation.
-        exact: whether the map is exact; otherwise vertices differ by at most a millionth of the
-            size of the part.
-    """
+    """A map of a part: mirroring (x to -x), then rotation about the origin, then translation."""
 
     mirrored: bool
-    turn: tuple[Fraction, Fraction]
+    turn: tuple[Fraction, Fraction]  # cosine and sine
     move: Point
-    exact: bool
+    exact: bool  # else vertices differ by at most a millionth of the size of the part
 
 
 def find_congruence(part: Region, drawn: Region) -> Congruence | None:
@@ -38,10 +30,9 @@ def find_congruence(part: Region, drawn: Region) -> Congruence | None:
 
     Cost: O(n^2) for exteriors with n vertices; O(n) for most pairs that are not congruent.
 
-    Example:
-        >>> part = Region([(0, 0), (2, 0), (2, 1)])
-        >>> find_congruence(part, Region([(5, 0), (5, 2), (4, 2)])).turn
-        (Fraction(0, 1), Fraction(1, 1))
+    >>> part = Region([(0, 0), (2, 0), (2, 1)])
+    >>> find_congruence(part, Region([(5, 0), (5, 2), (4, 2)])).turn
+    (Fraction(0, 1), Fraction(1, 1))
     """
     if len(part.exterior) != len(drawn.exterior) or len(part.holes) != len(drawn.holes):
         return None
@@ -55,7 +46,7 @@ def find_congruence(part: Region, drawn: Region) -> Congruence | None:
 
 
 def find_rounded_congruence(part: RoundedOutline, drawn: RoundedOutline) -> Congruence | None:
-    """Find a map between rounded outlines, exact if neither has an error.
+    """Find a map between rounded outlines, exact if both are.
 
     >>> discs = [RoundedOutline((Point(Fraction(k), Fraction(0)),), Fraction(1)) for k in (0, 2)]
     >>> find_rounded_congruence(*discs).move
@@ -101,7 +92,7 @@ def _list_maps(part: Region, drawn: Region, *, mirrored: bool) -> Iterator[Congr
 
 
 def _follows(ring: Sequence[Point], other: Polygon, room: float) -> bool:
-    """Return whether two rings have equally many vertices, each close to one of the other ring."""
+    """Return whether each vertex of a ring is close to one of the other, of the same length."""
     if len(ring) != len(other):
         return False
     return all(
@@ -125,7 +116,7 @@ def _edge(ring: Sequence[Point], k: int) -> tuple[Fraction, Fraction]:
 
 
 def _list_corners(ring: Sequence[Point]) -> list[_EdgeShape]:
-    """List the squared length of each edge, and its dot and cross product with the next edge."""
+    """List the squared length of each edge, and its dot and cross product with the next one."""
     edges = [_edge(ring, k) for k in range(len(ring))]
     return [
         (x * x + y * y, x * u + y * v, x * v - y * u)

@@ -1,4 +1,4 @@
-"""Recognition of the containers in a drawing."""
+"""Detection of the containers in a drawing."""
 
 from __future__ import annotations
 
@@ -23,37 +23,22 @@ _Spread = tuple[Fraction, Fraction, Fraction, Fraction]
 
 
 class Sheet(NamedTuple):
-    """A container of a drawing.
-
-    Attributes:
-        container: its outline, or None.
-        defects: outlines that no part may overlap.
-        outlines: the other outlines in it.
-        copies: duplicates of the container on its layer.
-    """
-
     container: Candidate | None
-    defects: list[Candidate]
-    outlines: list[Candidate]
-    copies: list[Candidate]
+    defects: list[Candidate]  # outlines that no part may overlap
+    outlines: list[Candidate]  # all other outlines in the container
+    copies: list[Candidate]  # duplicates of the container on its layer
 
 
 def find_sheets(outlines: Sequence[Candidate], container: str | None) -> list[Sheet]:
     """Find the containers of a drawing, and assign all other outlines to them.
 
-    If `container` is None, the container is the only outline on a layer named sheet, bin, board,
-    container or stock; else the one whose box contains all others; else those with such a name,
-    class or layer; else the largest one, if it contains the centers of all other boxes. Other
-    outlines in the given group, or on a layer that is given or has such a name, are defects. Case
-    is ignored.
+    `container` is the name, index or layer of the container, or a group whose outermost outline it
+    is. If None, the container is the only outline on a layer named sheet, bin, board, container or
+    stock; else the one whose box contains all others; else those with such a name, class or layer;
+    else the largest one, if it contains the centers of all other boxes. Other outlines in the given
+    group, or on a layer that is given or has such a name, are defects. Case is ignored.
 
-    Args:
-        outlines: the outlines of a drawing.
-        container: the name, index or layer of the container, or a group in which it is the
-            outermost outline; None to find it.
-
-    Raises:
-        FormatError: there is no container, or none with the given name.
+    Raises FormatError if there is no container, or none with the given name.
     """
     boxes = {id(one): _bound(one) for one in outlines}
 
@@ -145,7 +130,7 @@ def _bound(outline: Candidate) -> _Spread:
 
 
 def _find_around(outlines: Sequence[Candidate], boxes: dict[int, _Spread]) -> Candidate | None:
-    """Find the outline whose box contains all others, if all such outlines are copies of it."""
+    """Find the outline whose box contains all others, ignoring copies of it."""
     lefts, lows, rights, highs = zip(*(boxes[id(one)] for one in outlines), strict=True)
     whole = min(lefts), min(lows), max(rights), max(highs)
     found = [one for one in outlines if boxes[id(one)] == whole]

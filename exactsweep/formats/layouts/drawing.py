@@ -10,12 +10,7 @@ from functools import partial
 from typing import Literal
 
 from exactsweep.formats.candidate import Candidate
-from exactsweep.formats.depth import (
-    Nested,
-    nest_outlines,
-    tell_ambiguity,
-    tell_place,
-)
+from exactsweep.formats.depth import Nested, nest_outlines, tell_ambiguity, tell_place
 from exactsweep.formats.error import FormatError
 from exactsweep.formats.folder import make_unique
 from exactsweep.formats.layers import get_layer, tell_layer
@@ -39,7 +34,7 @@ def draw_layouts(
 ) -> list[FoundLayout]:
     """Make a layout for each container of a drawing; see `find_sheets`.
 
-    Raises FormatError if an outline cannot be read, since omitting it might falsify the verdict.
+    Raises FormatError if an outline cannot be read, since skipping it might falsify the verdict.
     """
     flat = reading.without_nesting()
     flat.apart = reading.nested is not False
@@ -89,10 +84,7 @@ def draw_layouts(
 
 
 def _list_open(outlines: Sequence[Candidate], parts: Sequence[Candidate]) -> list[str]:
-    """Describe engraving: open shapes on a layer without closed outlines, or on one part.
-
-    Raises FormatError for other open shapes.
-    """
+    """Describe engraving: open shapes on layers without closed outlines, or on parts."""
     rejected = [one for one in outlines if one.fault]
     if not rejected:
         return []
@@ -120,7 +112,7 @@ def _list_open(outlines: Sequence[Candidate], parts: Sequence[Candidate]) -> lis
 
 
 def _is_on(shape: Candidate, part: Candidate) -> bool:
-    """Decide whether all points of an open shape are on a part; an outline is elsewhere."""
+    """Return whether all points of an open shape lie on a part; those of an outline do not."""
     # A hole on the layer of the shape, not on that of the part, is engraving.
     holes = [h for h in part.holes() if h.layer in (None, part.layer) or h.layer != shape.layer]
     rings = [ring.vertices() for ring in (part, *holes)]
@@ -178,13 +170,12 @@ def _flatten(
 
 
 def _name_part(outline: Candidate, k: int) -> str:
-    """Return the name or the layer of an outline, or its index on the default layer of DXF."""
     layer = outline.layer if outline.layer != "0" else None
     return outline.name or layer or str(k)
 
 
 def _tell_holes(found: Nested) -> list[str]:
-    """Report outlines read as holes, since overlapping parts look alike."""
+    """Report outlines read as holes, since overlapping parts look the same."""
     if not found.holes:
         return []
     first = ", ".join(f"{tell_place(one)} in {tell_place(other)}" for one, other in found.holes[:2])
@@ -196,7 +187,7 @@ def _tell_holes(found: Nested) -> list[str]:
 
 
 def _find_lookalikes(found: Nested) -> list[str]:
-    """Report holes that have the size of a part, and may be overlapping parts."""
+    """Report holes of the size of a part, since they may be overlapping parts."""
     shapes = {_measure(one.vertices()): one for one in reversed(found.outlines)}
     alike = [
         (one, around, shapes[shape])
@@ -211,7 +202,7 @@ def _find_lookalikes(found: Nested) -> list[str]:
 
 
 def _find_artwork(found: Nested) -> list[str]:
-    """Report a hole drawn on another layer than its part, if it contains a part on that layer."""
+    """Report a hole on another layer than its part, if it contains a part on that part's layer."""
     around = {id(hole): part for hole, part in found.holes}
     doubtful = [
         (hole, around[id(hole)], inner)
@@ -227,7 +218,7 @@ def _find_artwork(found: Nested) -> list[str]:
 
 
 def _measure(ring: Sequence[Point]) -> tuple[int, str]:
-    """Return the number of vertices and the rounded area, which rigid motions preserve."""
+    """Return the number of vertices and the rounded area, invariant under rigid motions."""
     area = abs(Fraction(find_doubled_area(ring)))
     digits = f"{area.numerator / area.denominator:.6e}" if area < Fraction(10) ** 300 else ""
     return len(ring) - (ring[0] == ring[-1]), digits

@@ -1,4 +1,4 @@
-"""Layouts found in a file, and their instance."""
+"""Layouts read from a file, and their instances."""
 
 from __future__ import annotations
 
@@ -20,12 +20,9 @@ from exactsweep.numbers.number import Point
 
 _INDEX = re.compile(r"\[\d+\]")
 
-STANDING: Data = {"turn": "0", "move": ["0", "0"]}
-"""The identity placement."""
-
-
+STANDING: Data = {"turn": "0", "move": ["0", "0"]}  # the identity placement
+# The type of `FoundLayout.flatten`.
 Flatten = Callable[[Collection[str | None], Fraction], Mapping[str | None, Data]]
-"""The type of `FoundLayout.flatten`."""
 
 
 class FoundLayout(NamedTuple):
@@ -52,47 +49,28 @@ class FoundLayout(NamedTuple):
 
 
 class NestingInstance(NamedTuple):
-    """The problem that a layout solves.
+    """The problem that a layout solves."""
 
-    Attributes:
-        kind: the format, "jagua", "packingsolver" or "cgshop".
-        parts: Layout JSON by id, with the maximum number of placements as the demand.
-        least: the minimum number of placements by id.
-        containers: Layout JSON by id; empty for a strip with variable width.
-        rest: members for each layout: "spacing", "margin".
-        notes: remarks of the reader.
-        unchecked: rules that are not judged.
-        height: the height of a strip with variable width.
-        width: the maximum width of that strip, or None.
-        stock: the available number of containers by id; unlimited if missing.
-    """
-
-    kind: str
-    parts: dict[str, Data]
-    least: dict[str, int]
-    containers: dict[str, Data]
-    rest: Data
+    kind: str  # "jagua", "packingsolver" or "cgshop"
+    parts: dict[str, Data]  # Layout JSON by id, with the maximum number of placements as demand
+    least: dict[str, int]  # minimum number of placements by id
+    containers: dict[str, Data]  # Layout JSON by id; empty for a strip of variable width
+    rest: Data  # members for each layout: "spacing", "margin"
     notes: tuple[str, ...]
-    unchecked: tuple[str, ...] = ()
-    height: Fraction | None = None
-    width: Fraction | None = None
-    stock: Mapping[str, int] = MappingProxyType({})
+    unchecked: tuple[str, ...] = ()  # rules that are not judged
+    height: Fraction | None = None  # of a strip of variable width
+    width: Fraction | None = None  # maximum width of that strip
+    stock: Mapping[str, int] = MappingProxyType({})  # containers by id; unlimited if missing
 
 
 class FilledSheet(NamedTuple):
-    """A container with its placements, in Layout JSON, without parts and demands.
-
-    Attributes:
-        copies: the number of identical sheets.
-        rest: members of this layout only: "spacing", "margin".
-        places: as for `FoundLayout`.
-    """
+    """A container with its placements, in Layout JSON, without parts and demands."""
 
     container: Data
     placements: list[Data]
-    copies: int = 1
-    rest: Mapping[str, Any] = MappingProxyType({})
-    places: tuple[str, ...] = ()
+    copies: int = 1  # number of identical sheets
+    rest: Mapping[str, Any] = MappingProxyType({})  # members of this layout only
+    places: tuple[str, ...] = ()  # as for `FoundLayout`
 
 
 def make_layouts(
@@ -104,8 +82,8 @@ def make_layouts(
     """Make a layout for each sheet.
 
     The sheets share the demand: each demands the parts placed on it, up to the remaining demand,
-    and the last one also demands the parts still missing. So the total demand is satisfied if and
-    only if no sheet has missing or surplus parts. A layout has the parts placed or demanded on it.
+    and the last one also demands the parts still missing. So the total demand is met if and only if
+    no sheet has missing or surplus parts. A layout has the parts placed or demanded on it.
     """
     order = {name: k for k, name in enumerate(instance.parts)}
     spare = {name: part.get("demand") for name, part in instance.parts.items()}
@@ -146,14 +124,12 @@ def compare_stock(used: Counter[str], instance: NestingInstance) -> list[str]:
 
 
 def require_instance(known: NestingInstance | None, kind: str, lacking: str) -> NestingInstance:
-    """Return the instance; raises FormatError if it is missing or of another kind."""
     if known is None or known.kind != kind:
         raise FormatError(f"the solution has no {lacking}; --instance FILE reads its instance")
     return known
 
 
 def require_within_strip(container: Data, instance: NestingInstance, place: str) -> None:
-    """Raise FormatError if a container is larger than the strip of its instance."""
     for axis, (length, larger) in enumerate(
         ((instance.width, "wider"), (instance.height, "higher"))
     ):
@@ -163,7 +139,6 @@ def require_within_strip(container: Data, instance: NestingInstance, place: str)
 
 
 def find_named(things: Mapping[str, Any], name: JsonNode, what: str) -> Any:
-    """Return the item with a name; raises FormatError if it is missing."""
     if name.name not in things:
         raise FormatError(f"{name.path}: there is no {what} {quote(name.name)}")
     return things[name.name]
@@ -179,7 +154,7 @@ def write_rings(outline: Candidate) -> Data:
 
 
 def write_union(outlines: Sequence[Candidate]) -> Data:
-    """Convert separate outlines to one rigid part with convex pieces."""
+    """Convert separate outlines to one rigid part of convex pieces."""
     shapes = [*map(write_rings, outlines)]
     if len(shapes) == 1:
         return shapes[0]
@@ -197,14 +172,13 @@ def write_union(outlines: Sequence[Candidate]) -> Data:
 
 
 def write_rounded(outline: RoundedOutline) -> Data:
-    """Convert a rounded outline to Layout JSON."""
     points, radius = write_ring(outline.points), format_fraction(outline.radius)
     error = {"error": format_fraction(outline.error)} if outline.error else {}
     return {"pieces": [{"points": points, "radius": radius}], **error}
 
 
 def read_rounded(part: Data) -> RoundedOutline | None:
-    """Read the result of `write_rounded`; return None for rings."""
+    """Convert the result of `write_rounded` back; return None for rings."""
     if "pieces" not in part:
         return None
     (piece,) = part["pieces"]
@@ -213,7 +187,6 @@ def read_rounded(part: Data) -> RoundedOutline | None:
 
 
 def list_unknown(nodes: Iterable[JsonNode], *known: str) -> list[str]:
-    """List the unknown members of objects, without duplicates."""
     found = {
         f"{_INDEX.sub('', node.path).removeprefix('$').removeprefix('.')}.{name}".removeprefix(".")
         for node in nodes

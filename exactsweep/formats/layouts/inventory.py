@@ -28,22 +28,13 @@ from exactsweep.words import count
 
 
 class WantedPart(NamedTuple):
-    """A part to be placed.
-
-    Attributes:
-        error: the error of its curves.
-        number: the required number of placements.
-        rounded: its hull and radius, if it is a rounded outline.
-    """
-
     name: str
     region: Region
-    error: Fraction
-    number: int
+    error: Fraction  # of its curves
+    number: int  # of required placements
     rounded: RoundedOutline | None = None
 
     def write_shape(self) -> Data:
-        """Convert the shape to Layout JSON."""
         if self.rounded is not None:
             return write_rounded(self.rounded)
         holes = [write_ring(hole.vertices) for hole in self.region.holes]
@@ -51,10 +42,7 @@ class WantedPart(NamedTuple):
         return shape | ({"error": format_fraction(self.error)} if self.error else {})
 
     def find_map(self, part: Data) -> Congruence | None:
-        """Find the map to a Layout JSON part; return None if the two are not congruent.
-
-        Raises PolygonError if the rings of the part do not bound a region.
-        """
+        """Find the map to a Layout JSON part; None if they are not congruent."""
         if len(part.get("pieces", ())) > 1:
             return None
         drawn = read_rounded(part)
@@ -66,7 +54,7 @@ class WantedPart(NamedTuple):
 
 
 def read_inventory(path: str, reading: Reading) -> list[WantedPart]:
-    """Read the parts in a file, folder or pattern, merging congruent ones; raises FormatError."""
+    """Read the parts in a file, folder or pattern, merging congruent ones."""
     listing = list_parts([path], reading.tolerance, **(reading.options | {"nested": True}))
     found: list[WantedPart] = []
     names = make_unique([part.name for part in listing.parts])
@@ -96,7 +84,7 @@ def compare_inventory(found: FoundLayout, wanted: Sequence[WantedPart]) -> Found
     """Make a layout of the wanted parts, so that missing, surplus or changed parts are faults.
 
     A part of the layout congruent to a wanted part is replaced by a placement of it. A nearly
-    congruent part also satisfies the demand, but keeps its shape. Other parts are surplus.
+    congruent part also meets the demand, but keeps its shape. Other parts are surplus.
     """
     parts: dict[str, Data] = {part["id"]: part for part in found.data["parts"]}
     used = Counter(placement["part"] for placement in found.data["placements"])

@@ -46,12 +46,10 @@ _SOLUTION = (
 )
 _PLACED = "item_id", "id", "transformation", "rotation", "translation", "reflected"
 _MOST_TURNS = 65_536
-# Bound on the rounding error of angles in single precision, in degrees.
-_NEARLY = Fraction(1, 10_000)
+_NEARLY = Fraction(1, 10_000)  # bounds the error of angles in single precision, in degrees
 
 
 def read_instance(document: JsonNode) -> NestingInstance:
-    """Read the items and bins of an instance; raises FormatError."""
     parts: dict[str, Data] = {}
     containers, stock = {}, {}
     unchecked = list_unknown([document], *_DOCUMENT)
@@ -190,7 +188,6 @@ def _allow_rounded(instance: NestingInstance, placements: Iterable[Data]) -> Ite
 
 
 def _is_rounded(degrees: str, written: str) -> bool:
-    """Return whether a rotation equals an allowed one after rounding."""
     return _round(degrees) == _read_single(written)
 
 
@@ -200,7 +197,7 @@ def _is_near(degrees: str, written: str) -> bool:
 
 
 def _round(degrees: str) -> float:
-    """Convert degrees to radians and back in single precision, like the program."""
+    """Convert degrees to radians and back in single precision, like the programs."""
     radians = c_float(_read_single(degrees) * c_float(c_float(pi).value / 180).value).value
     return c_float(radians * c_float(180 / pi).value).value
 

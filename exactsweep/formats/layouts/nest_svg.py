@@ -44,8 +44,7 @@ def read_nest(
 ) -> tuple[NestingInstance, list[FilledSheet]] | None:
     """Read the SVG of a nesting program: its parts, without demands, and its sheets.
 
-    None for an unknown format; raises FormatError if a part or a sheet cannot be read. The
-    containers of an instance, by id, override the drawn ones.
+    Returns None for an unknown format. The containers of an instance, by id, override those drawn.
     """
     drawing = _NestDrawing(root, reading)
     sheets = list(_jagua(drawing, containers)) or list(_nested(root, drawing))
@@ -73,7 +72,7 @@ class _NestDrawing:
         self.named = {e.attrib["id"]: e for e in reversed(self.placed) if "id" in e.attrib}
 
     def one_shape(self, elements: Iterable[Element], within: Element) -> Data:
-        """Read the only shape that elements draw, without the transformation of `within`."""
+        """Read the only shape of some elements, without the transformation of `within`."""
         rule = self.placed[within].inherited("fill-rule", "nonzero")
         place = Element("svg", {"#line": "1", "style": f"fill-rule: {rule}"})
         place.extend(elements)
@@ -85,7 +84,6 @@ class _NestDrawing:
         return write_rings(found[0])
 
     def motion(self, element: Element) -> Data:
-        """Read the translation and the rotation of a part."""
         placed = self.placed[element]
         with prefix_errors(placed.place, FormatError):
             match = _MOTION.fullmatch(placed.transform)
@@ -95,7 +93,7 @@ class _NestDrawing:
         return {"turn": turn, "move": [x, y]}
 
     def require_all(self, within: Element, read: Iterable[Element]) -> None:
-        """Reject shapes inside an element that are not in any element already read."""
+        """Reject shapes inside an element that have not been read yet."""
         known = {*read}
         for element in within.iter():
             placed, kind = self.placed[element], name_kind(element)

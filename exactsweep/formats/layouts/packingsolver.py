@@ -45,7 +45,6 @@ _BIN = (
 
 
 def read_instance(document: JsonNode, reading: Reading) -> NestingInstance:
-    """Read the item types and bin types of an instance; raises FormatError."""
     unchecked = list_unknown([document], *_DOCUMENT)
     unchecked += list_unknown((document / "item_types").each(), *_ITEM)
     unchecked += list_unknown((document / "bin_types").each(), *_BIN)
@@ -86,7 +85,7 @@ def read_instance(document: JsonNode, reading: Reading) -> NestingInstance:
 
 
 def read_solution(document: JsonNode, instance: NestingInstance | None) -> list[FoundLayout]:
-    """Read the bins of a solution, without an instance as drawn; raises FormatError."""
+    """Read the bins of a solution; without an instance, as drawn."""
     if instance is None or instance.kind != "packingsolver":
         return _read_drawn(document)
     found = []
@@ -129,7 +128,7 @@ def _read_drawn(document: JsonNode) -> list[FoundLayout]:
 
 
 def _allowed(item: JsonNode, unchecked: list[str]) -> Data:
-    """Convert allowed single angles, also of mirrored items, to Layout JSON."""
+    """Convert allowed angles, also of mirrored items, to Layout JSON."""
     plain: list[Fraction] = []
     mirrored: list[Fraction] = []
     ranges: list[Fraction] = []

@@ -50,11 +50,7 @@ class LayoutOptions(Options, total=False):
 
 @explain_type_errors
 def read_layout(path: str, **options: Unpack[LayoutOptions]) -> dict[str, Any]:
-    """Read a file with a single layout, like `read_layouts`; return Layout JSON.
-
-    Raises:
-        FormatError: as for `read_layouts`, or there are several layouts.
-    """
+    """Read a file with a single layout, like `read_layouts`; return Layout JSON."""
     found = read_layouts(path, **options)
     if len(found) > 1:
         raise FormatError(f"{show_path(path)}: {len(found)} layouts, not one")
@@ -66,10 +62,9 @@ def parse_layouts(text: str, **options: Unpack[LayoutOptions]) -> list[FoundLayo
     """Read the layouts in a string, like `read_layouts`; the instance is also a string.
 
     Example:
-        >>> found = parse_layouts(
-        ...     '<svg><rect id="sheet" width="4" height="3"/><path id="a" d="M0 0H3V1z"/></svg>'
-        ... )
-        >>> found[0].data["parts"]
+        >>> rectangle = '<rect id="sheet" width="4" height="3"/>'
+        >>> (found,) = parse_layouts(f'<svg>{rectangle}<path id="a" d="M0 0H3V1z"/></svg>')
+        >>> found.data["parts"]
         [{'id': 'a', 'exterior': [['0', '0'], ['3', '0'], ['3', '1']]}]
     """
     instance, container, reading = _take_options(**options)
@@ -88,8 +83,8 @@ def read_layouts(path: str, **options: Unpack[LayoutOptions]) -> list[FoundLayou
             Layout JSON; JSON of sparrow, jagua-rs, spyrrow, packingsolver and CG:SHOP 2024; SVG of
             sparrow, jagua-rs, SVGnest and Deepnest; a table of placements; or any drawing that
             `read_regions` reads, with the outlines in place.
-        instance: the instance of a solution, with demands and allowed rotations, if not in the
-            file; or a drawing, a file of polygons or a folder of parts, each to be placed once.
+        instance: a file with the instance of a solution (demands and allowed rotations); or a
+            drawing, a file of polygons or a folder of parts, each to be placed once.
         part: the file with the parts of a table of placements.
         radians: whether angles are in radians.
         container: the name, index, layer or group of the container in a drawing; False for no
@@ -98,10 +93,10 @@ def read_layouts(path: str, **options: Unpack[LayoutOptions]) -> list[FoundLayou
         options: as for `exactsweep.formats.parse_polygons`.
 
     Returns:
-        list of FoundLayout, one per sheet.
+        A list of FoundLayout, one per sheet.
 
     Raises:
-        FormatError: not a layout; the message has the file and the location.
+        FormatError: not a layout; the message gives the file and the location.
 
     Cost: linear in the length of the text.
     """
@@ -149,7 +144,7 @@ def _read_table(
 
 
 def _from_radians(found: FoundLayout) -> FoundLayout:
-    """Convert the rotations of placements, and the allowed ones of parts, to degrees."""
+    """Convert the rotations of placements, and those allowed for parts, to degrees."""
     parts = [
         {
             name: [*map(_convert_turn, value)]
@@ -169,7 +164,7 @@ def _from_radians(found: FoundLayout) -> FoundLayout:
 
 
 def _convert_turn(turn: Any) -> Any:
-    """Convert radians to degrees; keep a cosine and sine."""
+    """Convert radians to degrees; keep a pair of cosine and sine."""
     if not isinstance(turn, str):
         return turn
     return format_fraction(to_degrees(to_fraction(turn)))

@@ -47,7 +47,6 @@ class _Row(NamedTuple):
     point: str = "."
 
     def read(self, meaning: str) -> Fraction:
-        """Read a number, ignoring leading letters."""
         text = _PREFIX.sub("", self.cells[meaning].strip(), count=1).replace(self.point, ".")
         with prefix_errors(f"{self.place}: {meaning}", FormatError):
             return read_decimal(text)
@@ -69,7 +68,7 @@ def is_table(text: str) -> bool:
 
 
 def read_parts(path: str, reading: Reading) -> dict[str, Data]:
-    """Read the parts for a table from Layout JSON, a file or a folder; raises FormatError."""
+    """Read the parts for a table from Layout JSON, a file or a folder."""
     text = "" if os.path.isdir(path) or has_magic(path) else read_text(split_choice(path)[0])
     if text.lstrip()[:1] == "{":
         with name_file(path):
@@ -102,24 +101,14 @@ def _drop_rules(part: Data) -> Data:
 
 
 def read_table(text: str, parts: Mapping[str, Data], *, radians: bool = False) -> list[FoundLayout]:
-    r"""Read a table of placements.
+    r"""Read a table of placements, one layout for each group, without containers.
 
-    Args:
-        text: the table.
-        parts: Layout JSON of the parts by id; empty for a table of discs.
-        radians: whether angles are in radians. The conversion to degrees has an error of at most
-            10^-100, covered by the slack of the judge.
+    `parts` maps ids to Layout JSON; empty for a table of discs. The conversion of radians has an
+    error of at most 10^-100 degrees, covered by the slack of the judge.
 
-    Returns:
-        A FoundLayout for each group, without container, in the order of the table.
-
-    Raises:
-        FormatError: a missing column, an unknown part or an invalid number.
-
-    Example:
-        >>> (found,) = read_table("id,x,y,r\na,0,0,1\nb,2,0,1\n", {})
-        >>> found.data["parts"]
-        [{'id': 'disc 1', 'pieces': [{'points': [['0', '0']], 'radius': '1'}]}]
+    >>> (found,) = read_table("id,x,y,r\na,0,0,1\nb,2,0,1\n", {})
+    >>> found.data["parts"]
+    [{'id': 'disc 1', 'pieces': [{'points': [['0', '0']], 'radius': '1'}]}]
     """
     rows = [*_list_rows(text)]
     if not rows:
