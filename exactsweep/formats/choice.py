@@ -1,7 +1,5 @@
 """Selection of polygons by name, index, layer or group."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 
 from exactsweep.formats.candidate import Candidate

@@ -1,7 +1,5 @@
 """Column names of placement tables."""
 
-from __future__ import annotations
-
 import re
 from collections.abc import Iterable, Sequence
 

@@ -1,7 +1,5 @@
 """Reader and writer of CSV: one vertex, rectangle or WKT polygon per row."""
 
-from __future__ import annotations
-
 import csv
 import re
 from collections.abc import Iterable, Iterator, Sequence

@@ -3,8 +3,6 @@
 Outlines may cross, since parts may overlap; one inside two crossing outlines is ambiguous.
 """
 
-from __future__ import annotations
-
 from collections import defaultdict
 from collections.abc import Iterator, Mapping, Sequence
 from fractions import Fraction

@@ -1,18 +1,13 @@
 """Reader of nesting instances in ESICUP XML."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
-from typing import TYPE_CHECKING
+from xml.etree.ElementTree import Element
 
 from exactsweep.formats.candidate import Candidate
 from exactsweep.formats.decimals import read_decimal
 from exactsweep.formats.error import FormatError
 from exactsweep.numbers.error import quote
 from exactsweep.numbers.number import Point
-
-if TYPE_CHECKING:
-    from xml.etree.ElementTree import Element
 
 
 def is_esicup(root: Element) -> bool:

@@ -6,8 +6,6 @@ left, always to the next piece clockwise, yields the faces. A face that visits a
 into two rings there.
 """
 
-from __future__ import annotations
-
 from bisect import bisect_left
 from collections import defaultdict
 from collections.abc import Callable, Iterator, Mapping, Sequence

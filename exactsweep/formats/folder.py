@@ -1,7 +1,5 @@
 """Polygons in files, folders and file name patterns."""
 
-from __future__ import annotations
-
 import itertools
 import os
 from collections import defaultdict

@@ -1,7 +1,5 @@
 """Reader of GeoJSON (RFC 7946): Polygons with holes, at any depth."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator, Mapping
 from functools import partial
 from typing import Any

@@ -1,7 +1,5 @@
 """Reader of exact JSON: lists of vertices, parts with holes, lists of these, and results."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from functools import partial
 

@@ -1,7 +1,5 @@
 """Selection of layers."""
 
-from __future__ import annotations
-
 from collections import Counter
 from collections.abc import Sequence
 

@@ -11,7 +11,6 @@ from exactsweep.formats.candidate import Candidate, allow_faults
 from exactsweep.formats.columns import refuse_placements
 from exactsweep.formats.depth import nest_candidates
 from exactsweep.formats.error import FormatError
-from exactsweep.formats.esicup import is_esicup, read_esicup
 from exactsweep.formats.exact_json import count_vertices, parse_json
 from exactsweep.formats.files import DXF_SIGN
 from exactsweep.formats.geojson import read_geojson
@@ -61,6 +60,7 @@ def _parse(text: str, reading: Reading) -> Sequence[Candidate]:
     if first == "<":
         from exactsweep.formats.curved.svg import read_svg
         from exactsweep.formats.curved.xml import parse_xml
+        from exactsweep.formats.esicup import is_esicup, read_esicup
 
         plain.require_known(text)
         root = parse_xml(text)

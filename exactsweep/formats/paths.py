@@ -1,7 +1,5 @@
 """Reader of paths: WKT and GeoJSON lines and points, SVG paths, and JSON lists of points."""
 
-from __future__ import annotations
-
 from exactsweep.formats.error import FormatError
 from exactsweep.formats.exact_json import parse_json, read_vertices
 from exactsweep.formats.node import JsonNode

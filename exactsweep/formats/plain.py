@@ -1,7 +1,5 @@
 """Reader of pasted vertices: two numbers per line, tuples, braces, or counted pairs."""
 
-from __future__ import annotations
-
 import re
 from collections.abc import Iterator, Sequence
 from fractions import Fraction

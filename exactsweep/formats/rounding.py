@@ -17,8 +17,6 @@ holes grow, and may merge and divide the region; its parts are rounded again unt
 on the grid.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable, Iterable, Sequence
 from contextlib import suppress
 from fractions import Fraction

@@ -4,8 +4,6 @@ The end of an arc is a rational point on the circle at most 10**-40 radii from t
 interval arithmetic proves.
 """
 
-from __future__ import annotations
-
 from fractions import Fraction
 from math import pi
 

@@ -11,8 +11,6 @@ A *place* is a parameter from 0 to 1 in units of 2**-30.
 (3) A curve is stored in a canonical direction, so its reverse has the same points.
 """
 
-from __future__ import annotations
-
 from cmath import rect
 from collections.abc import Callable, Iterable, Sequence
 from fractions import Fraction

@@ -1,7 +1,5 @@
 """SVG dots: zero-length paths with round caps, drawn as discs as wide as the stroke."""
 
-from __future__ import annotations
-
 from fractions import Fraction
 
 from exactsweep.formats.curved.affine import Affine

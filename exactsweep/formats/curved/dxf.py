@@ -1,7 +1,5 @@
 """Reader of DXF: lines, polylines, curves and blocks."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Sequence
 from fractions import Fraction
 from itertools import pairwise

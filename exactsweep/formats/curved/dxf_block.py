@@ -1,7 +1,5 @@
 """DXF blocks, placed by INSERTs."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from typing import NamedTuple
 

@@ -1,7 +1,5 @@
 """DXF entities, with unparsed values."""
 
-from __future__ import annotations
-
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from contextlib import suppress
 from fractions import Fraction

@@ -1,12 +1,11 @@
 """Reader of SVG 1.1: shapes, and open lines joined to outlines."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Iterator, Sequence
 from fractions import Fraction
 from functools import partial
 from itertools import islice
-from typing import TYPE_CHECKING, NoReturn
+from typing import NoReturn
+from xml.etree.ElementTree import Element
 
 from exactsweep.formats.candidate import Candidate, allow_faults, choose_same
 from exactsweep.formats.curved.affine import Affine
@@ -26,9 +25,6 @@ from exactsweep.geometry.canonical import PolygonError
 from exactsweep.numbers.error import quote
 from exactsweep.numbers.number import Point
 from exactsweep.words import count
-
-if TYPE_CHECKING:
-    from xml.etree.ElementTree import Element
 
 _GROUPS = {"svg", "g", "a"}
 _CONDITIONS = {"requiredExtensions", "requiredFeatures", "systemLanguage"}

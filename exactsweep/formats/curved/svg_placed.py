@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from fractions import Fraction
 from functools import cached_property
-from typing import TYPE_CHECKING
+from xml.etree.ElementTree import Element
 
 from exactsweep.formats.curved.affine import IDENTITY, Affine, make_scaling, make_shift
 from exactsweep.formats.curved.svg_style import Style, name_kind
@@ -16,9 +16,6 @@ from exactsweep.formats.error import FormatError
 from exactsweep.formats.filling import Rule
 from exactsweep.formats.reading import UNITS, Reading
 from exactsweep.numbers.error import prefix_errors, quote
-
-if TYPE_CHECKING:
-    from xml.etree.ElementTree import Element
 
 _INKSCAPE = "{http://www.inkscape.org/namespaces/inkscape}"
 _VIEWS = {"svg", "symbol"}

@@ -1,15 +1,10 @@
 """Styles of SVG elements: `style` attributes and style sheets."""
 
-from __future__ import annotations
-
 import re
 from collections import defaultdict
 from collections.abc import Iterator, Sequence
 from itertools import count
-from typing import TYPE_CHECKING
-
-if TYPE_CHECKING:
-    from xml.etree.ElementTree import Element
+from xml.etree.ElementTree import Element
 
 SPACE = "{http://www.w3.org/2000/svg}"
 # A comment, or an at-rule such as @media with its rules; possessive, to run in linear time.

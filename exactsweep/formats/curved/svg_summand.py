@@ -1,7 +1,5 @@
 """SVG paths as summands of Minkowski sums."""
 
-from __future__ import annotations
-
 from itertools import islice
 
 from exactsweep.formats.curved.svg import SHAPES, Document, is_filled

@@ -1,15 +1,13 @@
 """Parser for untrusted XML."""
 
-from __future__ import annotations
-
 import re
-from typing import TYPE_CHECKING
+from xml.etree.ElementTree import Element, ParseError, TreeBuilder
+
+from defusedxml import DefusedXmlException, EntitiesForbidden
+from defusedxml.ElementTree import DefusedXMLParser
 
 from exactsweep.formats.error import FormatError
 from exactsweep.formats.size import ELEMENT, require_count, require_size
-
-if TYPE_CHECKING:
-    from xml.etree.ElementTree import Element
 
 MAX_DEPTH = 100  # of nested elements
 # References to entities, outside comments, CDATA and processing instructions.
@@ -28,10 +26,6 @@ def parse_xml(text: str) -> Element:
     Raises FormatError for undeclared, long or nested entities, deep nesting, or too many elements.
     """
     require_size(len(text))
-    from xml.etree.ElementTree import ParseError, TreeBuilder
-
-    from defusedxml import DefusedXmlException, EntitiesForbidden
-    from defusedxml.ElementTree import DefusedXMLParser
 
     class Builder(TreeBuilder):
         depth = count = 0

@@ -6,8 +6,6 @@ each item may be placed. Only the instance contains the polygons.
 Source: the verifier of the challenge, `CG-SHOP/pyutils24`.
 """
 
-from __future__ import annotations
-
 from exactsweep.formats.error import FormatError
 from exactsweep.formats.layouts.found import (
     STANDING,

@@ -1,7 +1,5 @@
 """Rigid maps between congruent regions."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator, Sequence
 from fractions import Fraction
 from typing import NamedTuple

@@ -1,7 +1,5 @@
 """Detection of the containers in a drawing."""
 
-from __future__ import annotations
-
 import re
 from collections.abc import Sequence
 from fractions import Fraction

@@ -1,7 +1,5 @@
 """Layouts from drawings: each outline is a placed part or a hole."""
 
-from __future__ import annotations
-
 import re
 from collections import Counter
 from collections.abc import Collection, Mapping, Sequence

@@ -1,7 +1,5 @@
 """Layouts read from a file, and their instances."""
 
-from __future__ import annotations
-
 import re
 from collections import Counter
 from collections.abc import Callable, Collection, Iterable, Mapping, Sequence

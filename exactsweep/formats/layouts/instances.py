@@ -1,7 +1,5 @@
 """Nesting instances, and their parts as polygons."""
 
-from __future__ import annotations
-
 from functools import partial
 
 from exactsweep.formats.candidate import Candidate

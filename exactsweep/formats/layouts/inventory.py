@@ -1,7 +1,5 @@
 """Comparison of a layout with an inventory: the parts in a drawing or a folder."""
 
-from __future__ import annotations
-
 from collections import Counter
 from collections.abc import Sequence
 from fractions import Fraction

@@ -9,12 +9,9 @@ Source: `io/svg/layout_to_svg.rs` of jagua-rs, `svgnest.js` of SVGnest, `export.
 Deepnest.
 """
 
-from __future__ import annotations
-
 import json
 import re
 from collections.abc import Iterable, Iterator, Mapping
-from typing import TYPE_CHECKING
 from xml.etree.ElementTree import Element
 
 from exactsweep.formats.curved.svg import DRAWN, SHAPES, find_reason_hidden, read_svg
@@ -26,11 +23,9 @@ from exactsweep.formats.depth import nest_candidates
 from exactsweep.formats.error import FormatError
 from exactsweep.formats.layouts.found import FilledSheet, NestingInstance, write_rings
 from exactsweep.formats.node import Data
+from exactsweep.formats.reading import Reading
 from exactsweep.numbers.digits import format_fraction
 from exactsweep.numbers.error import prefix_errors, quote
-
-if TYPE_CHECKING:
-    from exactsweep.formats.reading import Reading
 
 _MOTION = re.compile(
     rf"\s*translate\(\s*({DECIMAL})(?:[\s,]+({DECIMAL}))?\s*\)"

@@ -7,8 +7,6 @@ an instance.
 Source: `irregular/instance_builder.cpp` and `irregular/solution.cpp`; `shape.hpp` of fontanf/shape.
 """
 
-from __future__ import annotations
-
 from collections import Counter
 from collections.abc import Callable
 from fractions import Fraction

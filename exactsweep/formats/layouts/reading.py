@@ -1,7 +1,5 @@
 """Reader of layouts; the content determines the format."""
 
-from __future__ import annotations
-
 import os
 from collections.abc import Collection, Mapping
 from fractions import Fraction
