@@ -1,7 +1,5 @@
 """The solids of a layout: placed parts, the outside of the container, and the defects."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator, Sequence
 from fractions import Fraction
 from functools import cache, cached_property
@@ -16,7 +14,7 @@ from exactsweep.geometry.region import Region
 from exactsweep.geometry.turn import TURN_BITS, Turn
 from exactsweep.layout.clearance import is_rounded
 from exactsweep.layout.layout import Layout
-from exactsweep.layout.outside import cut_outside
+from exactsweep.layout.pieces import cut_outside
 from exactsweep.layout.rounded import RoundedPiece, to_region
 from exactsweep.layout.solid import (
     LatticeBox,
@@ -49,8 +47,8 @@ class Board:
         self._forms: dict[tuple[str, Turn, bool, int, int], LatticeForm | RoundedForm] = {}
 
     def turned(self, k: int, bits: int = TURN_BITS) -> Region:
-        """Return the mirrored and rotated part of a placement; a rounded part is circumscribed."""
         placement = self.layout.placements[k]
+        # A rounded part is circumscribed.
         return to_region(self._shapes[placement.part])._image(AffineMap(*placement.rows(bits)))
 
     def is_rounded(self, placements: Sequence[int]) -> bool:
@@ -59,7 +57,6 @@ class Board:
         return is_rounded(*solids)
 
     def _turn(self, k: int, bits: int) -> tuple[int, MatrixRows]:
-        """Return the linear map of a placement as a common denominator and int rows."""
         rows = self.layout.placements[k].rows(bits)
         denominator = lcm(*(number.denominator for number in rows))
         a, b, c, d = (put_on_lattice(number, denominator) for number in rows)
@@ -91,13 +88,10 @@ class Board:
 
     def _place(self, k: int, bits: int) -> Solid:
         shared = self._scale if bits == TURN_BITS else None
-        return self._put(k, self.layout.placements[k].move, bits, shared)
+        return self.solid_at(k, self.layout.placements[k].move, bits, shared)
 
-    def solid_at(self, k: int, move: Point, bits: int = TURN_BITS) -> Solid:
-        """Return the solid of a placement at another position, on its own lattice."""
-        return self._put(k, move, bits, None)
-
-    def _put(self, k: int, move: Point, bits: int, shared: int | None) -> Solid:
+    def solid_at(self, k: int, move: Point, bits: int, shared: int | None = None) -> Solid:
+        """Return the solid of a placement at another position, by default on its own lattice."""
         placement = self.layout.placements[k]
         part, turn, (x, y) = placement.part, placement.turn, move
         scale = shared or self.base(part)[0] * self._turn(k, bits)[0]
@@ -147,8 +141,11 @@ class Board:
 
     @cached_property
     def around(self) -> list[Solid]:
-        """The outside of the container, if there is one, then the defects."""
-        return [*self._find_outside(), *self._find_defects()]
+        """The outside of the container, if there is one, its holes, then the defects."""
+        layout = self.layout
+        holes = (self._fix(*make_form(Region(hole)), layout.error) for hole in self.holes)
+        defects = (self._fix(*make_form(one.shape), one.error) for one in layout.defects)
+        return [*self._find_outside(), *holes, *defects]
 
     def required(self, wall: int) -> Fraction:
         """Return the required distance between parts and an obstacle in `around`."""
@@ -163,7 +160,6 @@ class Board:
 
     @property
     def first_defect(self) -> int:
-        """The index of the first defect in `around`."""
         return 0 if self.layout.container is None else 1
 
     @property
@@ -191,14 +187,6 @@ class Board:
             lambda: cut_outside(exterior, (west, south, east, north)),
         )
         yield self._fix(own, outside, self.layout.error)
-
-    def _find_defects(self) -> Iterator[Solid]:
-        """Yield the holes of the container, then the other defects."""
-        layout = self.layout
-        for hole in self.holes:
-            yield self._fix(*make_form(Region(hole)), layout.error)
-        for defect in layout.defects:
-            yield self._fix(*make_form(defect.shape), defect.error)
 
     def _fix(self, scale: int, form: LatticeForm | RoundedForm, error: Fraction) -> Solid:
         finer = self._scale or scale
@@ -241,7 +229,6 @@ class Board:
 
     @cached_property
     def unit(self) -> int:
-        """The scale for comparing boxes."""
         return self._scale or ceil(1024 / self.grain)
 
     def list_near(self, reach: Fraction) -> Iterator[tuple[int, int]]:
@@ -252,7 +239,6 @@ class Board:
             yield placed[k], placed[j]
 
     def list_neighbors(self, k: int, reach: Fraction) -> list[int]:
-        """List the placements whose boxes are within reach of placement k in x and y."""
         unit, room = self.unit, ceil(reach * self.unit)
         left, right, low, high = _enlarge(self.solid(k), unit)
         found = []
@@ -264,7 +250,6 @@ class Board:
         return found
 
     def find_defects(self, reach: Fraction) -> dict[int, list[int]]:
-        """Return the indices in `around` of the defects within reach of each placement."""
         placed, unit, first = self.placed, self.unit, self.first_defect
         solids = *map(self.solid, placed), *self.around[first:]
         boxes = [_enlarge(solid, unit) for solid in solids]

@@ -2,31 +2,36 @@
 
 The proof of a valid layout consists of convex pieces, and a separating normal for each pair of
 pieces with close boxes. The proof of a fault is a point.
-"""
 
-from __future__ import annotations
+(1) Rings with the interior on the left bound a shape if their winding number is 0 or 1 everywhere.
+    The winding number of a point is the number of upward edges to its right, minus that of downward
+    edges; an edge includes its lower end, but not its upper one. At a point on an edge, this is the
+    winding number to the right of the edge. Each face is to the right of some edge.
+"""
 
 from collections.abc import Iterator, Sequence
 from fractions import Fraction
-from itertools import accumulate, chain
+from itertools import accumulate, chain, pairwise
 from typing import Any
 
 from exactsweep.evidence.certificate import HEADER
+from exactsweep.geometry.canonical import find_doubled_area
 from exactsweep.geometry.convex import IntVertex
+from exactsweep.geometry.near import find_near
 from exactsweep.geometry.region import Region
 from exactsweep.geometry.turn import TURN_BITS
+from exactsweep.geometry.vectors import intersect, orientation
 from exactsweep.layout.board import Board
 from exactsweep.layout.clearance import find_clearance, is_rounded, measure_gap
 from exactsweep.layout.fault import Fault
-from exactsweep.layout.misfit import drop_repeated, find_misfit
+from exactsweep.layout.layout import LayoutPart
 from exactsweep.layout.nearest import find_gap
-from exactsweep.layout.normals import find_normal
-from exactsweep.layout.pieces import bound_piece
+from exactsweep.layout.pieces import bound_piece, find_normal
 from exactsweep.layout.reading import LayoutError
 from exactsweep.layout.solid import LatticeBox, LatticeForm, RoundedForm, Solid, share_scale
 from exactsweep.layout.verdict import MOST_BITS, find_witness
 from exactsweep.numbers.digits import to_plain
-from exactsweep.numbers.number import Point
+from exactsweep.numbers.number import Fit, Point
 
 _PieceRings = list[list[Point]] | None
 
@@ -121,7 +126,6 @@ def _name_obstacles(board: Board) -> list[tuple[int, int]]:
 
 
 def _count_outside(board: Board) -> int:
-    """Count the obstacles of the container: its outside and its holes."""
     return board.first_defect + len(board.holes)
 
 
@@ -183,7 +187,6 @@ def _prove_faults(board: Board, faults: Sequence[Fault], bits: int) -> list[dict
 
 
 def _find_point(board: Board, fault: Fault, bits: int) -> Point | None:
-    """Find a point inside both solids of a fault, or midway between two that are too close."""
     a, b = fault.find_pair(bits)
     if fault.kind == "too close":
         assert fault.required is not None
@@ -214,3 +217,43 @@ def _leave(form: LatticeForm | RoundedForm, scale: int) -> _PieceRings:
     if not isinstance(form, LatticeForm):
         return None
     return [[Point(Fraction(x) / scale, Fraction(y) / scale) for x, y in p] for p in form.pieces]
+
+
+def find_misfit(part: LayoutPart) -> Point | None:
+    """Find a point with a winding number other than 0 or 1; None if rings only touch.
+
+    >>> bow = [Point(Fraction(x), Fraction(y)) for x, y in ((0, 0), (2, 2), (2, 0), (0, 1))]
+    >>> find_misfit(LayoutPart("bow", tuple(bow))) is None
+    False
+    """
+    edges: list[Fit] = []
+    for k, ring in enumerate((part.exterior, *part.holes)):
+        points = drop_repeated(ring)
+        if (find_doubled_area(points) > 0) != (k == 0):
+            points.reverse()
+        edges += pairwise((*points, points[0]))
+    tried = (p for p in _list_inner(edges) if _wind(edges, p) not in (0, 1))
+    return next(tried, None)
+
+
+def drop_repeated(ring: Sequence[Point]) -> list[Point]:
+    return [p for k, p in enumerate(ring) if p != ring[k - 1]]
+
+
+def _list_inner(edges: Sequence[Fit]) -> Iterator[Point]:
+    """Yield the midpoint of each piece of a nonhorizontal edge between intersections."""
+    meetings = [{*edge} for edge in edges]
+    boxes = [(min(a.x, b.x), max(a.x, b.x), min(a.y, b.y), max(a.y, b.y)) for a, b in edges]
+    for k, j in find_near(boxes):
+        common = [Point(Fraction(x), Fraction(y)) for x, y in intersect(edges[k], edges[j])]
+        meetings[k].update(common)
+        meetings[j].update(common)
+    for (a, b), points in zip(edges, meetings, strict=True):
+        if a.y != b.y:
+            for p, q in pairwise(sorted(points)):
+                yield Point((p.x + q.x) / 2, (p.y + q.y) / 2)
+
+
+def _wind(edges: Sequence[Fit], z: Point) -> int:
+    up = sum(a.y <= z.y < b.y and orientation(a, b, z) > 0 for a, b in edges)
+    return up - sum(b.y <= z.y < a.y and orientation(a, b, z) < 0 for a, b in edges)

@@ -4,11 +4,9 @@ It is the minimum of d - r - s over pairs of pieces, by (1) and (2) of `rounded`
 have radius 0. The squared distance of hulls is rational, so all comparisons are exact.
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterator, Sequence
 from fractions import Fraction
-from typing import NamedTuple
+from typing import NamedTuple, Self
 
 from exactsweep.geometry.distance import SquaredDistance
 from exactsweep.geometry.overlap import Relation
@@ -35,7 +33,7 @@ class Clearance(NamedTuple):
     def is_at_most(self, length: Fraction) -> bool:
         return self.square <= sign_square(self.radius + length)
 
-    def is_less(self, other: Clearance) -> bool:
+    def is_less(self, other: Self) -> bool:
         """Return whether the clearance is less than another one.
 
         For signed roots d and e, and the difference r of the radii, d - r < e is decided by signs
@@ -119,7 +117,7 @@ def _leave(found: HullDistance, radii: Rational, scale: int, pieces: tuple[int, 
 
 
 def find_clearance(a: Solid, b: Solid, within: Fraction | None = None) -> Clearance | None:
-    """Find the clearance of two solids on one lattice, if it is at most `within`."""
+    """Find the least of the `list_clearances`."""
     best: Clearance | None = None
     for one in list_clearances(a, b, within):
         if best is None or one.is_less(best):
@@ -198,7 +196,6 @@ def _walk(
 
 
 def _approach(start: Vertex, goal: Vertex) -> Iterator[Vertex]:
-    """Yield points from the goal toward the start, halving the distance each time."""
     share = Fraction(1)
     for _ in range(_MOST_HALVINGS):
         yield _go(start, goal, share)
@@ -218,7 +215,6 @@ def _measure_point(z: Vertex, hull: Sequence[Vertex]) -> Fraction:
 
 
 def _is_deep(z: Vertex, hull: Sequence[Vertex], room: Rational) -> bool:
-    """Return whether the signed distance of a point from a hull is below `room`."""
     return _measure_point(z, hull) < sign_square(room)
 
 

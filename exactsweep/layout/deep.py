@@ -9,8 +9,6 @@
     than twice the lesser slack. So no shorter chord has such a point.
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterable, Iterator, Sequence
 from fractions import Fraction
 from heapq import nlargest
@@ -56,18 +54,17 @@ def _list_rings(solid: Solid) -> list[list[Vertex]]:
 
 
 def _list_lines(boundary: Sequence[Edge]) -> Iterator[_HorizontalChord]:
-    """Yield the chords on the lines of (2), each as left, right and height."""
     boxes = [*map(bound_points, boundary)]
     rows, right = BoxRows(boxes), max((box[1] for box in boxes), default=0)
     left = min((box[0] for box in boxes), default=0)
     for low, high in pairwise(sorted({y for edge in boundary for _, y in edge})):
         y = _halve(low, high)
         crossed = (boundary[k] for k in rows.find((left, right, y, y)))
+        # Each chord has its left and right end, and its height.
         yield from ((*chord, y) for chord in _list_chords(crossed, y, 0))
 
 
 def _find_chord(boundary: Sequence[Edge], point: Vertex, axis: int) -> _ChordEnds:
-    """Return the chord along an axis through an interior point."""
     at = point[axis]
     chords = _list_chords(boundary, point[1 - axis], axis)
     return next((low, high) for low, high in chords if low < at < high)

@@ -4,8 +4,6 @@ Each convention turns the same numbers into another exact layout, which is then 
 about a center c maps P to R (P - c) + c + t, so it suffices to shift the part and the translation.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable, Iterator
 from dataclasses import replace
 from fractions import Fraction
@@ -89,7 +87,6 @@ def _count_faults(judgement: Judgement) -> int:
 
 
 def _apply(layout: Layout, change: Convention) -> Layout:
-    """Return the layout under a convention, with equal changed parts merged."""
     parts: dict[LayoutPart, str] = {}
     placements = []
     for placement in layout.placements:
@@ -137,7 +134,6 @@ def _list_conventions(layout: Layout) -> Iterator[tuple[str, Convention]]:
 
 
 def _from_radians(angle: Fraction) -> Fraction:
-    """Convert radians to degrees, rounded if nearly an integer; angles over 180 are negative."""
     degrees = (angle if angle <= 180 else angle - 360) * _DEGREES
     return Fraction(round(degrees)) if abs(degrees - round(degrees)) < _NEARLY else degrees
 
@@ -149,8 +145,6 @@ def _turn(p: Placement, by: Callable[[Fraction], Fraction]) -> Placement:
 
 
 def _shift_by(find: Callable[[LayoutPart], Point], *, move: bool) -> Convention:
-    """Shift the origin of parts; with `move`, parts rotate about the new origin in place."""
-
     def change(part: LayoutPart, p: Placement) -> tuple[LayoutPart, Placement]:
         at = find(part)
         there = Point(p.move.x + at.x, p.move.y + at.y) if move else p.move
@@ -165,7 +159,6 @@ def _move_first(part: LayoutPart, p: Placement) -> tuple[LayoutPart, Placement]:
 
 
 def _from_turned_corner(part: LayoutPart, p: Placement) -> tuple[LayoutPart, Placement]:
-    """Let the translation place the corner of the rotated part's box, if that is exact."""
     if p.turn.exact is None:
         return part, p
     a, b, c, d = p.rows()

@@ -31,16 +31,10 @@ _REPAIRED = "overlap", "outside", "too close", "undecided"
 
 @dataclass(frozen=True)
 class Fault:
-    """A fault of a layout.
+    """A fault of a layout; README.md lists the kinds.
 
     Attributes:
-        kind: "overlap": two placed parts overlap; "outside": a placed part is not inside the
-            container, or overlaps a defect; "too close": two placed parts are closer than the
-            spacing, or one is closer than the margin to the boundary of the container or of a
-            defect; "missing", "surplus": a part has fewer or more placements than its demand;
-            "turn", "mirror": a placement has a rotation or a reflection that its part forbids;
-            "shape": a part is not simple, so its placements are not judged; "undecided": irrational
-            rotations or flattened curves leave the verdict open.
+        kind: one of `FaultKind`.
         placements: the indices of the placements, ascending.
         part: the id of the part, for "missing", "surplus" and "shape".
         reason: why a part is not simple, a placement is forbidden, or the verdict is undecided.
@@ -128,10 +122,7 @@ class Fault:
 
     @cached_property
     def clearance(self) -> Clearance | None:
-        """The exact distance or depth of two rounded shapes, a square root minus a radius.
-
-        It belongs to the deepest or nearest pair of pieces, and is None for polygons.
-        """
+        """The exact distance or depth of two rounded shapes; None for polygons."""
         if self._board is None or self.kind not in _REPAIRED:
             return None
         pair = self.find_pair(self._bits)
@@ -156,11 +147,9 @@ class Fault:
         return self._board.required(self.wall)
 
     def is_within(self, depth: Fraction) -> bool:
-        """Return whether the depth or the missing distance is proved to be at most `depth`.
+        """Return whether the depth or the missing distance is at most `depth`.
 
-        The proof holds for the true rotations and curves.
-
-        Cost: as for `depth_squared` for overlaps.
+        This is proved for the true rotations and curves. For overlaps, it needs `depth_squared`.
         """
         room = depth - self.bound
         if room < 0 or self._board is None:

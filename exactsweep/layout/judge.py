@@ -8,8 +8,6 @@ spacing plus the errors of both, and overlap if some point is deeper in each tha
 otherwise the pair is undecided.
 """
 
-from __future__ import annotations
-
 from collections import Counter
 from collections.abc import Iterator
 from fractions import Fraction
@@ -21,9 +19,9 @@ from exactsweep.geometry.region import Region
 from exactsweep.geometry.turn import TURN_BITS
 from exactsweep.layout.board import Board
 from exactsweep.layout.certificate import write_certificate
-from exactsweep.layout.closest import NearestPair, find_nearest_pair
 from exactsweep.layout.fault import Fault, FaultKind
 from exactsweep.layout.layout import Layout
+from exactsweep.layout.nearest import NearestPair, find_nearest_pair
 from exactsweep.layout.rounded import bound_area
 from exactsweep.layout.verdict import PairVerdict, judge_pair
 from exactsweep.numbers.addition import add_up

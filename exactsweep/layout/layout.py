@@ -1,12 +1,10 @@
 """Layouts: a container, parts, and placements of the parts."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
-from typing import Any
+from typing import Any, Self
 
 from exactsweep.geometry.canonical import PolygonError
 from exactsweep.geometry.interface import GeoJson, make_polygon
@@ -28,6 +26,40 @@ from exactsweep.layout.rounded import BodyShape, RoundedPiece, read_pieces, to_r
 from exactsweep.numbers.digits import to_plain
 from exactsweep.numbers.error import quote
 from exactsweep.numbers.number import Loop, Point
+
+
+@dataclass(frozen=True)
+class Placement:
+    """A copy of a part: mirrored (x to -x) first, then rotated about its origin, then translated.
+
+    Attributes:
+        part: the id of the part.
+        turn: the rotation, a Turn.
+        move: the translation, a Point.
+        mirrored: whether the copy is mirrored.
+    """
+
+    part: str
+    turn: Turn
+    move: Point
+    mirrored: bool = False
+
+    @classmethod
+    def from_json(cls, data: object, path: str) -> Self:
+        """Read a placement from JSON data; error messages start with `path`."""
+        found = read_object(data, path, ("part", "move"), ("turn", "mirrored"))
+        return cls(
+            read_id(found["part"], f"{path}.part"),
+            read_turn(found.get("turn", 0), f"{path}.turn"),
+            read_vertex(found["move"], f"{path}.move"),
+            read_flag(found.get("mirrored"), f"{path}.mirrored") or False,
+        )
+
+    def rows(self, bits: int = TURN_BITS) -> tuple[Fraction, Fraction, Fraction, Fraction]:
+        """Return the rows of the linear map; the error of the rotation is at most 2**-bits."""
+        cosine, sine, _ = self.turn.near(bits)
+        across = -1 if self.mirrored else 1
+        return across * cosine, -sine, across * sine, cosine
 
 
 @dataclass(frozen=True)
@@ -58,7 +90,7 @@ class LayoutPart:
     pieces: tuple[RoundedPiece, ...] = ()
 
     @classmethod
-    def from_json(cls, data: object, path: str) -> LayoutPart:
+    def from_json(cls, data: object, path: str) -> Self:
         """Read a part from JSON data; error messages start with `path`."""
         rules = ("demand", "turns", "mirrored", "mirrored_turns")
         found, (exterior, holes), pieces, error = _read_shape(data, path, ("id",), rules)
@@ -113,40 +145,6 @@ class LayoutPart:
 
 
 @dataclass(frozen=True)
-class Placement:
-    """A copy of a part: mirrored (x to -x) first, then rotated about its origin, then translated.
-
-    Attributes:
-        part: the id of the part.
-        turn: the rotation, a Turn.
-        move: the translation, a Point.
-        mirrored: whether the copy is mirrored.
-    """
-
-    part: str
-    turn: Turn
-    move: Point
-    mirrored: bool = False
-
-    @classmethod
-    def from_json(cls, data: object, path: str) -> Placement:
-        """Read a placement from JSON data; error messages start with `path`."""
-        found = read_object(data, path, ("part", "move"), ("turn", "mirrored"))
-        return cls(
-            read_id(found["part"], f"{path}.part"),
-            read_turn(found.get("turn", 0), f"{path}.turn"),
-            read_vertex(found["move"], f"{path}.move"),
-            read_flag(found.get("mirrored"), f"{path}.mirrored") or False,
-        )
-
-    def rows(self, bits: int = TURN_BITS) -> tuple[Fraction, Fraction, Fraction, Fraction]:
-        """Return the rows of the linear map; the error of the rotation is at most 2**-bits."""
-        cosine, sine, _ = self.turn.near(bits)
-        across = -1 if self.mirrored else 1
-        return across * cosine, -sine, across * sine, cosine
-
-
-@dataclass(frozen=True)
 class Defect:
     """A shape that no part may overlap; it may touch or cross the container and other defects."""
 
@@ -155,7 +153,7 @@ class Defect:
     spacing: Fraction | None = None  # the required distance to parts; None for the margin
 
     @classmethod
-    def from_json(cls, data: object, path: str) -> Defect:
+    def from_json(cls, data: object, path: str) -> Self:
         found, rings, pieces, error = _read_shape(data, path, (), ("spacing",))
         given = found.get("spacing")
         spacing = None if given is None else read_gap(given, f"{path}.spacing")
@@ -186,7 +184,7 @@ class Layout:
     defects: tuple[Defect, ...] = ()
 
     @classmethod
-    def from_json(cls, data: object) -> Layout:
+    def from_json(cls, data: object) -> Self:
         """Read a layout from plain JSON data; `layout.schema.json` defines the format.
 
         Args:
@@ -301,7 +299,6 @@ class Layout:
 def _read_container(
     data: object,
 ) -> tuple[Region | RoundedPiece, Fraction, tuple[Defect, ...]]:
-    """Read the container; holes become defects if any touch or cross."""
     _, (exterior, holes), pieces, error = _read_shape(data, "container")
     if len(pieces) > 1:
         raise LayoutError(f"container.pieces has {len(pieces)} pieces; a container has one")
@@ -311,6 +308,7 @@ def _read_container(
     try:
         return Region(exterior, holes), error, ()
     except PolygonError:
+        # Holes that touch or cross become defects.
         defects = (
             Defect(_make_region((hole, ()), f"container.holes[{k}]"), error)
             for k, hole in enumerate(holes)

@@ -1,18 +1,20 @@
-"""The minimum distance between two solids that do not overlap.
+"""The minimum distance between two solids that do not overlap, and the closest pair of parts.
 
 Two disjoint segments are nearest at an end of one of them, so their squared distance is a quotient
 of two ints.
 """
 
-from __future__ import annotations
-
+from collections.abc import Iterable
 from fractions import Fraction
-from math import isqrt
+from math import ceil, isqrt
+from typing import NamedTuple
 
 from exactsweep.geometry.distance import SquaredDistance, find_nearest_ends, measure_ends
 from exactsweep.geometry.edges import BoxedEdge
 from exactsweep.geometry.vectors import minus, orientation, touch
-from exactsweep.layout.solid import LatticeForm, Solid
+from exactsweep.layout.board import Board
+from exactsweep.layout.clearance import Clearance, find_clearance, measure_gap
+from exactsweep.layout.solid import LatticeForm, Solid, share_scale
 from exactsweep.numbers.number import Edge, Point, Rational
 
 
@@ -72,8 +74,77 @@ def _move(edge: BoxedEdge, x: int, y: int) -> Edge:
 
 
 def _is_far(line: Edge, edge: Edge, n: Rational, d: Rational) -> bool:
-    """Return whether an edge is at least sqrt(n / d) away from the line of another one."""
     of_p, of_q = (orientation(*line, end) for end in edge)
     least = min(of_p, of_q) if of_p > 0 else -max(of_p, of_q)
     dx, dy = minus(*line)
     return least > 0 and least * least * d >= n * (dx * dx + dy * dy)
+
+
+class NearestPair(NamedTuple):
+    """Two placements whose parts are nearest."""
+
+    square: Fraction  # rounded up with relative error at most 2^-63 if irrational
+    placements: tuple[int, int]
+    points: tuple[Point, ...]  # the nearest ones; for overlapping parts, a point inside both
+
+
+def find_nearest_pair(board: Board, touching: tuple[int, int] | None) -> NearestPair | None:
+    """Find the nearest placed parts without overlaps; `touching` is a pair in contact, if any."""
+    if any(board.solid(k).form.is_rounded for k in board.placed):
+        return _find_rounded(board)
+    if touching is not None:
+        return _find_best(board, [touching], None)
+    if len(board.placed) < 2:
+        return None
+    reach = Fraction(0)
+    while not (pairs := list(board.list_near(reach))):
+        reach = 2 * reach or board.grain
+    best = _find_best(board, pairs, None)
+    within = Fraction(isqrt(ceil(best.square * board.unit**2)) + 1, board.unit)
+    if within <= reach:
+        return best
+    seen = set(pairs)
+    return _find_best(board, (p for p in board.list_near(within) if p not in seen), best)
+
+
+def _find_best(
+    board: Board, pairs: Iterable[tuple[int, int]], best: NearestPair | None
+) -> NearestPair:
+    for k, j in pairs:
+        if best is not None and best.square == 0:
+            break
+        a, b = share_scale(board.solid(k), board.solid(j))
+        gap = find_gap(a, b, _bound(a, b) if best is None else best.square)
+        if gap is not None:
+            best = NearestPair(gap.value, (k, j), gap.points)
+    assert best is not None  # the first pair is below its bound
+    return best
+
+
+def _find_rounded(board: Board) -> NearestPair | None:
+    if len(board.placed) < 2:
+        return None
+    reach, seen = Fraction(0), set[tuple[int, int]]()
+    best: tuple[Clearance, tuple[int, int]] | None = None
+    least: Fraction | None = None
+    while least is None or reach < least:
+        reach = least or 2 * reach or board.grain
+        for k, j in board.list_near(reach):
+            if (k, j) in seen:
+                continue
+            seen.add((k, j))
+            found = find_clearance(*share_scale(board.solid(k), board.solid(j)), least)
+            if found is not None and (best is None or found.is_less(best[0])):
+                best, least = (found, (k, j)), found.bound(up=True)
+    assert best is not None
+    found, (k, j) = best
+    gap = measure_gap(*share_scale(board.solid(k), board.solid(j)), found)
+    return NearestPair(gap.value, (k, j), gap.points)
+
+
+def _bound(a: Solid, b: Solid) -> Fraction:
+    assert isinstance(a.form, LatticeForm)
+    assert isinstance(b.form, LatticeForm)
+    (ax, ay), (bx, by) = a.form.rings[0][0], b.form.rings[0][0]
+    dx, dy = ax + a.x - bx - b.x, ay + a.y - by - b.y
+    return Fraction(dx * dx + dy * dy + 1) / a.scale**2

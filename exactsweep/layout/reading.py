@@ -1,7 +1,5 @@
 """Readers of plain JSON data; error messages name the field."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Mapping, Sequence
 from fractions import Fraction
 from typing import TypeVar
@@ -37,7 +35,6 @@ def read_object(
 
 
 def read_list(data: object, path: str, read: Callable[[object, str], _Value]) -> tuple[_Value, ...]:
-    """Read a list; `read` converts each item, given its path."""
     if not isinstance(data, list | tuple):
         raise LayoutError(f"{path} is {quote(data)}, not a list")
     return tuple(read(one, f"{path}[{k}]") for k, one in enumerate(data))
@@ -68,7 +65,6 @@ def read_number(data: object, path: str) -> Fraction:
 
 
 def read_gap(data: object, path: str) -> Fraction:
-    """Read a non-negative number."""
     found = read_number(data, path)
     if found < 0:
         raise LayoutError(f"{path} is {abridge(found)}, less than 0")

@@ -7,8 +7,6 @@ is shortened in its direction. It exceeds the shortest move by at most r (1/cos(
 0.5 percent of r.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable, Iterable, Sequence
 from fractions import Fraction
 from functools import partial
@@ -90,7 +88,6 @@ def find_free_move(board: Board, k: int) -> Point | None:
 
 
 def make_judge(board: Board, placements: Sequence[int], bits: int) -> Callable[[Point], bool]:
-    """Return a function that judges a move of the last placement."""
     k = placements[-1]
     at = board.layout.placements[k].move
 
@@ -121,7 +118,6 @@ def _give(solid: Solid, bits: int) -> Solid:
 
 
 def _find_move(board: Board, placements: Sequence[int], bits: int, room: Fraction) -> Point | None:
-    """Find the shortest move that frees the last placement, enlarged by `room`."""
     k = placements[-1]
     at, moved = board.layout.placements[k].move, board.turned(k, bits)
     if room:
@@ -181,7 +177,6 @@ def _find_rounded_move(
 def _make_overlap_judge(
     board: Board, placements: Sequence[int], bits: int
 ) -> Callable[[Point], bool]:
-    """Return a function that decides whether a move avoids all overlap, ignoring errors."""
     k = placements[-1]
     at = board.layout.placements[k].move
     fixed = [board.solid(placements[0], bits)] if len(placements) > 1 else board.around
@@ -210,7 +205,6 @@ def _make_room(board: Board) -> Region:
 
 
 def make_box(frame: tuple[int, int, int, int]) -> Region:
-    """Return a rectangle three times as large as a frame, with the same center."""
     west, south, east, north = frame
     across, up = east - west, north - south
     left, low, right, high = west - across, south - up, east + across, north + up
@@ -256,11 +250,6 @@ def _shorten(
 
 
 def _round(value: Fraction, digits: int) -> Fraction:
-    """Round a number to significant digits.
-
-    >>> _round(Fraction(200, 3), 3)
-    Fraction(667, 10)
-    """
     if not value:
         return value
     unit = Fraction(10) ** (find_magnitude(abs(value)) - digits + 1)

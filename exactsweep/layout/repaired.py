@@ -1,17 +1,13 @@
 """Repair of layouts by small moves; results are judged valid.
 
 Two convex pieces keep a distance if the difference of their moves is long enough in the direction
-that separates them, a linear condition. Hildreth's method finds the shortest moves that satisfy the
-conditions of all near pieces, in floats, which prove nothing: each round judges the moved layout
-and adds conditions. Deep overlaps use their shortest repair instead. A few rounds suffice if the
-gaps between parts are as large as the faults, as after rounding; otherwise a valid layout nearby
-need not exist, and finding one is hard. After the last round, each faulty placement moves to the
-nearest position free of all others, if there is one.
-
-Source: Hildreth, "A quadratic programming procedure", Naval Research Logistics Quarterly 4, 1957.
+that separates them, a linear condition. Hildreth's method ("A quadratic programming procedure",
+Naval Research Logistics Quarterly 4, 1957) finds the shortest moves that satisfy the conditions of
+all near pieces, in floats, which prove nothing: each round judges the moved layout and adds
+conditions. Deep overlaps use their shortest repair instead. A few rounds suffice if the gaps
+between parts are as large as the faults, as after rounding. After the last round, each faulty
+placement moves to the nearest position free of all others, if there is one.
 """
-
-from __future__ import annotations
 
 from collections import defaultdict
 from collections.abc import Iterator, Sequence
@@ -63,7 +59,6 @@ class RepairedLayout(NamedTuple):
 
     @property
     def longest_squared(self) -> Fraction:
-        """The squared length of the longest move."""
         return max((x * x + y * y for x, y in self.moves.values()), default=Fraction(0))
 
 
@@ -71,21 +66,13 @@ def repair_layout(judgement: Judgement) -> RepairedLayout | None:
     """Repair a layout by small moves.
 
     None if no such moves were found, a fault does not depend on positions, or there are more than
-    2,000 faults.
-
-    Cost: up to about thirty judgements, each with a few seconds of sweeps, plus the repairs of deep
-        faults.
+    2,000 faults. It takes up to thirty judgements and the repairs of deep faults.
 
     Example:
-        >>> from exactsweep.layout import Layout
-        >>> tile = {"id": "tile", "exterior": [[0, 0], [1, 0], [1, 1], [0, 1]]}
-        >>> layout = Layout.from_json({
-        ...     "container": {"exterior": [[0, 0], [3, 0], [3, 1], [0, 1]]},
-        ...     "parts": [tile],
-        ...     "placements": [{"part": "tile", "move": [x, 0]} for x in ("0.5", "1.499999999")],
-        ... })
-        >>> repair_layout(judge_layout(layout)).judgement.valid
-        True
+        >>> from exactsweep.corpus import find_layout_case
+        >>> nudged = judge_layout(find_layout_case("layouts-tangram-nudged").layout)
+        >>> nudged.valid, repair_layout(nudged).judgement.valid
+        (False, True)
     """
     first, layout = judgement, judgement.layout
     conditions: list[_Condition] = []
@@ -191,7 +178,6 @@ def _add_moves(one: _Condition, moves: dict[int, Point], more: Fraction) -> _Con
 
 
 def _find_least_moves(conditions: Sequence[_Condition], nearly: Fraction) -> dict[int, Point]:
-    """Find nearly shortest moves that satisfy all conditions, by Hildreth's method."""
     unit = max((one.length for one in conditions), default=Fraction(0))
     if unit <= 0:
         return {}

@@ -12,14 +12,12 @@ and B be hulls with radii r and s, r + s > 0, and let d be their distance.
     each of its vertices from C, negative inside, is at most R - r.
 """
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from fractions import Fraction
 from functools import cache
 from itertools import pairwise
 from math import isqrt, lcm, pi, tan
-from typing import Any, NamedTuple
+from typing import Any, NamedTuple, Self
 
 from exactsweep.geometry.canonical import find_doubled_area
 from exactsweep.geometry.distance import find_foot, measure_to_edge
@@ -40,7 +38,7 @@ class RoundedPiece(NamedTuple):
     radius: Fraction  # at least 0, and positive for a degenerate hull
 
     @classmethod
-    def from_json(cls, data: object, path: str) -> RoundedPiece:
+    def from_json(cls, data: object, path: str) -> Self:
         found = read_object(data, path, ("points",), ("radius",))
         points = read_ring(found["points"], f"{path}.points")
         radius = read_gap(found.get("radius", 0), f"{path}.radius")
@@ -52,7 +50,6 @@ class RoundedPiece(NamedTuple):
         return cls(hull, radius)
 
     def to_json(self) -> dict[str, Any]:
-        """Return the fields; numbers are not converted to strings."""
         return {"points": self.points, "radius": self.radius}
 
     @property
@@ -63,7 +60,6 @@ class RoundedPiece(NamedTuple):
 
     @property
     def denominator(self) -> int:
-        """The common denominator of the coordinates and the radius."""
         return lcm(self.radius.denominator, *(c.denominator for p in self.points for c in p))
 
     def bound_area(self, bits: int) -> tuple[Fraction, Fraction]:
@@ -72,7 +68,9 @@ class RoundedPiece(NamedTuple):
         area = abs(Fraction(find_doubled_area(self.points))) / 2 if len(self.points) > 2 else 0
         if not r:
             return Fraction(area), Fraction(area)
-        sides = [bound_root(square, bits) for square in _list_squared_sides(self.points)]
+        # A segment has two sides.
+        edges = pairwise((*self.points, self.points[0])) if len(self.points) > 1 else ()
+        sides = [bound_root((q.x - p.x) ** 2 + (q.y - p.y) ** 2, bits) for p, q in edges]
         least, most = (
             area + r * sum(side[end] for side in sides) + r * r * bound
             for end, bound in enumerate(bound_pi(bits))
@@ -88,12 +86,6 @@ def read_pieces(data: object, path: str) -> tuple[RoundedPiece, ...]:
     if not pieces:
         raise LayoutError(f"{path} has no piece")
     return pieces
-
-
-def _list_squared_sides(points: Sequence[Point]) -> list[Fraction]:
-    """List the squared lengths of the sides; a segment has two."""
-    ends = pairwise((*points, points[0])) if len(points) > 1 else ()
-    return [(q.x - p.x) ** 2 + (q.y - p.y) ** 2 for p, q in ends]
 
 
 @cache
@@ -137,20 +129,12 @@ def bound_root(square: Fraction, bits: int) -> tuple[Fraction, Fraction]:
 
 
 def sign_square(length: Rational) -> Rational:
-    """Square a number and keep its sign, which is monotone.
-
-    >>> sign_square(-3), sign_square(2)
-    (-9, 4)
-    """
+    """Square a number and keep its sign, which is monotone."""
     return length * length if length >= 0 else -length * length
 
 
 def surround(pieces: Sequence[RoundedPiece]) -> Region:
-    """Circumscribe a convex polygon about rounded pieces, with at most 32 sides for each corner.
-
-    >>> float(surround((RoundedPiece((ORIGIN,), Fraction(1)),)).area) < 3.16
-    True
-    """
+    """Circumscribe a convex polygon about rounded pieces, with at most 32 sides for each corner."""
     corners = [
         Point(x + u * radius, y + v * radius)
         for points, radius in pieces
@@ -175,11 +159,7 @@ def inscribe(piece: RoundedPiece) -> Region:
 
 @cache
 def list_disc(sides: int) -> tuple[Point, ...]:
-    """List the corners of a symmetric polygon circumscribed about the unit disc.
-
-    >>> list_disc(4)[0]
-    Point(x=Fraction(1, 1), y=Fraction(1, 1))
-    """
+    """List the corners of a symmetric polygon circumscribed about the unit disc."""
     normals = _list_normals(sides)
     corners = []
     for (a, b), (c, d) in pairwise((*normals, normals[0])):

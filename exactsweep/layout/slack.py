@@ -6,8 +6,6 @@ maximum of quotients. A disc shrinks about its center to the maximum distance of
 Numbers are rounded up, and the judge accepts the shrunk layout.
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from dataclasses import replace
 from fractions import Fraction
@@ -38,15 +36,10 @@ def find_slack(judgement: Judgement) -> ProvedSlack | None:
     """Find the slack of a layout; None if it is invalid, has defects, or lacks a convex container.
 
     Example:
-        >>> tile = {"id": "tile", "exterior": [[0, 0], [1, 0], [1, 1], [0, 1]]}
-        >>> layout = Layout.from_json({
-        ...     "container": {"exterior": [[0, 0], [4, 0], [4, 4], [0, 4]]},
-        ...     "parts": [tile],
-        ...     "placements": [{"part": "tile", "move": [x, 0]} for x in (0, 2)],
-        ... })
-        >>> slack = find_slack(judge_layout(layout))
-        >>> print(slack.scale, slack.growth)
-        3/4 1/2
+        >>> from exactsweep.corpus import find_layout_case
+        >>> slack = find_slack(judge_layout(find_layout_case("layouts-record-squares-11").layout))
+        >>> float(1 - slack.scale) < 1e-6 and float(slack.growth) < 1e-8
+        True
     """
     layout, container = judgement.layout, judgement.layout.container
     if not judgement.valid or container is None or layout.defects:
@@ -64,15 +57,12 @@ def find_slack(judgement: Judgement) -> ProvedSlack | None:
         if not container.is_convex:
             return None
         scale = _shrink_polygon(ring, center, solids, layout)
-        shrunk = Region([_move(p, center, scale) for p in ring])
+        x, y = center
+        shrunk = Region([(x + scale * (p.x - x), y + scale * (p.y - y)) for p in ring])
     found = replace(layout, container=shrunk)
     if scale > 1 or not judge_layout(found).valid:
         return None
     return ProvedSlack(found, scale, center, _find_growth(judgement, solids))
-
-
-def _move(p: Point, center: Point, scale: Fraction) -> Point:
-    return Point(center.x + scale * (p.x - center.x), center.y + scale * (p.y - center.y))
 
 
 def _list_points(solid: Solid) -> Iterator[tuple[Point, Fraction]]:
@@ -118,7 +108,6 @@ def _shrink_disc(container: RoundedPiece, solids: list[Solid], layout: Layout) -
 
 
 def _round_up(value: Fraction) -> Fraction:
-    """Round a number up to 30 digits, unless it has fewer."""
     unit = Fraction(10) ** (find_magnitude(value) - _DIGITS + 1)
     return -(-value // unit) * unit
 

@@ -12,8 +12,6 @@
 (4) The error of flattened curves adds to the slack; more precise rotations do not lower it.
 """
 
-from __future__ import annotations
-
 from abc import abstractmethod
 from collections.abc import Callable, Iterable, Sequence
 from fractions import Fraction
@@ -48,7 +46,6 @@ class _Scalable:
     def mapped(self, matrix: MatrixRows) -> Self: ...
 
     def scaled(self, factor: int) -> Self:
-        """Return the form on a lattice that is `factor` times as fine."""
         found = self._scaled.get(factor)
         if found is None:
             found = self._scaled[factor] = self.mapped((factor, 0, 0, factor))
@@ -117,7 +114,6 @@ class RoundedForm(_Scalable):
 
     @property
     def pieces(self) -> list[ConvexRing]:
-        """The hulls, without their radii."""
         return [hull for hull, _ in self.rounded]
 
 
@@ -141,7 +137,7 @@ class Solid(NamedTuple):
         x, y = self.x, self.y
         return left + x, right + x, low + y, high + y  # type: ignore[return-value]
 
-    def on(self, scale: int) -> Solid:
+    def on(self, scale: int) -> Self:
         """Return the solid on a finer lattice, whose scale is a multiple of this one."""
         factor = scale // self.scale
         if factor == 1:
@@ -172,7 +168,6 @@ def _map(ring: IntRing, matrix: MatrixRows) -> list[IntVertex]:
 
 
 def make_form(shape: BodyShape) -> tuple[int, LatticeForm | RoundedForm]:
-    """Return the scale of a shape's lattice, and the shape on it."""
     if isinstance(shape, Region):
         scale, rings = shape.lattice()
         return scale, LatticeForm(rings)  # type: ignore[arg-type]
@@ -194,11 +189,7 @@ def make_rounded_form(
 
 
 def put_on_lattice(value: Fraction, scale: int) -> int:
-    """Multiply a number by the scale of its lattice, which gives an int.
-
-    >>> put_on_lattice(Fraction(1, 2), 6)
-    3
-    """
+    """Multiply a number by the scale of its lattice."""
     n, d = value.as_integer_ratio()
     whole, rest = divmod(scale, d)
     # A number off the lattice remains a Fraction.
@@ -206,11 +197,7 @@ def put_on_lattice(value: Fraction, scale: int) -> int:
 
 
 def measure_slack(shape: BodyShape, error: Fraction) -> Fraction:
-    """Bound the error of a shape by (3), given the error of its rotation.
-
-    >>> measure_slack(Region([(0, 0), (3, 0), (3, -4)]), Fraction(1, 100))
-    Fraction(21, 200)
-    """
+    """Bound the error of a shape by (3), given the error of its rotation."""
     points: Iterable[Point] = (
         shape.exterior.vertices
         if isinstance(shape, Region)

@@ -9,8 +9,6 @@ Let d be the sum of the slacks of two solids, and s their required distance.
     flattened curves, only a finer flattening can decide.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable
 from fractions import Fraction
 from typing import NamedTuple

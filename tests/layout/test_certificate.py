@@ -12,7 +12,7 @@ from layouts import box, lay, put
 
 from exactsweep.check import standalone, verify
 from exactsweep.layout import Layout, LayoutError, judge_layout
-from exactsweep.layout.outside import cut_outside
+from exactsweep.layout.pieces import cut_outside
 
 TINY = Fraction(1, 10**30)
 # The left corner of the first part is at x = 3/2 exactly, which turns rounded once do not show.

@@ -9,7 +9,7 @@ from tiers import examples
 
 from exactsweep import Region
 from exactsweep.layout import judge_layout
-from exactsweep.layout.normals import find_normal
+from exactsweep.layout.pieces import find_normal
 from exactsweep.layout.solid import LatticeForm, Solid, make_form, share_scale
 from exactsweep.layout.verdict import find_witness
 

@@ -19,7 +19,7 @@ from tampering import put
 from exactsweep.layout import Layout, LayoutError, judge_layout
 from exactsweep.layout import certificate as finder
 from exactsweep.layout.board import Board
-from exactsweep.layout.normals import find_normal
+from exactsweep.layout.pieces import find_normal
 
 Certificate = dict[str, Any]
 MOST = 5  # placements

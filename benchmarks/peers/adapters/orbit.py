@@ -19,13 +19,7 @@ from __future__ import annotations
 from shutil import which
 from typing import Any
 
-from benchmarks.peers.adapters.adapter import (
-    Adapter,
-    AskedShape,
-    MissingError,
-    Position,
-    refer,
-)
+from benchmarks.peers.adapters.adapter import Adapter, AskedShape, MissingError, Position, refer
 from benchmarks.peers.adapters.nest import start
 from benchmarks.peers.adapters.program import Program, write_fraction, write_shape
 from exactsweep.conform.judge.boundary import are_collinear

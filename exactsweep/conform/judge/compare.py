@@ -9,21 +9,11 @@ from fractions import Fraction
 from itertools import islice
 from operator import itemgetter
 
-from exactsweep.conform.judge.boundary import (
-    are_bridges,
-    find_boundary,
-    subtract_fits,
-    trace_rings,
-)
+from exactsweep.conform.judge.boundary import are_bridges, find_boundary, subtract_fits, trace_rings
 from exactsweep.conform.judge.diagnosis import diagnose
 from exactsweep.conform.judge.distance import measure_distance
 from exactsweep.conform.judge.fits import judge_fits
-from exactsweep.conform.judge.region import (
-    RegionError,
-    Trapezoid,
-    add_areas,
-    find_differences,
-)
+from exactsweep.conform.judge.region import RegionError, Trapezoid, add_areas, find_differences
 from exactsweep.conform.judge.rounded import match_rounded, name_joint
 from exactsweep.conform.judge.rounding import grant_rounding, name_arithmetic
 from exactsweep.conform.judge.verdict import (

@@ -8,12 +8,7 @@ from fractions import Fraction
 from typing import NamedTuple
 
 from exactsweep.conform.judge.verdict import Verdict
-from exactsweep.conform.run.channel import (
-    Channel,
-    ChannelError,
-    ClosedError,
-    SilentError,
-)
+from exactsweep.conform.run.channel import Channel, ChannelError, ClosedError, SilentError
 from exactsweep.conform.run.complaint import find_error
 from exactsweep.conform.run.peer import SECONDS, Answer, cut, read_answer
 from exactsweep.conform.run.protocol import (

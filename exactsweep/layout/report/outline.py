@@ -1,7 +1,5 @@
 """Outlines of rounded pieces in pictures: true arcs, or polygons that are fine near a point."""
 
-from __future__ import annotations
-
 from collections.abc import Iterable, Sequence
 from fractions import Fraction
 from itertools import chain
@@ -18,8 +16,8 @@ _BITS, _STEPS, _COARSE, _BACK = 16, 16, Fraction(1, 64), 40
 
 
 def place_pieces(layout: Layout, k: int) -> list[RoundedPiece]:
-    """Return the rounded pieces of a placement; irrational rotations have errors up to 2**-64."""
     placement = layout.placements[k]
+    # Irrational rotations have errors up to 2**-64.
     (a, b, c, d), (dx, dy) = placement.rows(64), placement.move
     found = []
     for points, radius in layout.part_by_id[placement.part].pieces:
@@ -29,7 +27,6 @@ def place_pieces(layout: Layout, k: int) -> list[RoundedPiece]:
 
 
 def list_corners(pieces: Iterable[RoundedPiece]) -> list[Point]:
-    """List the lower left and upper right corners of the boxes of pieces."""
     return [*chain.from_iterable(piece.bounding_box for piece in pieces)]
 
 

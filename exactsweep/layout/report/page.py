@@ -1,7 +1,5 @@
 """A judged layout as a self-contained HTML page, with zoom and a search for parts."""
 
-from __future__ import annotations
-
 from base64 import b64encode
 from collections.abc import Iterable, Sequence
 from hashlib import sha256

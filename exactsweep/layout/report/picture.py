@@ -4,8 +4,6 @@ Coordinates are clipped and scaled exactly, and converted to floats last, so the
 even an overlap of 10^-15 of the picture.
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterable, Sequence
 from fractions import Fraction
 from html import escape
@@ -21,12 +19,7 @@ from exactsweep.geometry.region import Region
 from exactsweep.layout.judge import Judgement
 from exactsweep.layout.layout import Layout
 from exactsweep.layout.pieces import clip
-from exactsweep.layout.report.outline import (
-    list_corners,
-    list_vertices,
-    place_pieces,
-    write_arcs,
-)
+from exactsweep.layout.report.outline import list_corners, list_vertices, place_pieces, write_arcs
 from exactsweep.layout.report.worst import NO_CONTEXT, ReportContext, WorstFirst, rank_faults
 from exactsweep.layout.rounded import RoundedPiece
 from exactsweep.numbers.number import Point, Vertex
@@ -115,10 +108,7 @@ class LayoutPicture:
 def draw_parts(
     judgement: Judgement, ranked: Sequence[WorstFirst], *, y_down: bool = False
 ) -> tuple[int, int, str]:
-    """Draw the container and the numbered placements; faulty ones are red, witnesses are circled.
-
-    Returns the width and height in pixels, and the SVG elements.
-    """
+    """Draw container and placements, with faults in red; return width, height and SVG elements."""
     layout = judgement.layout
     placed = [place_shape(layout, k) for k in range(len(layout.placements))]
     around, defects = list_walls(layout)
@@ -171,9 +161,11 @@ def enlarge_faults(
         move = fault.move
         sizes = [square for square in (one.square, fault.distance_squared) if square]
         placed = {k: place_shape(layout, k) for k in fault.placements}
-        near = _measure(placed[fault.placements[-1]].list_corners())
+        xs, ys = zip(*placed[fault.placements[-1]].list_corners(), strict=True)
+        near = max(max(xs) - min(xs), max(ys) - min(ys)) or Fraction(1)
         near = min([near, *(_ROUND * take_root(square) for square in sizes)])
-        center = points[0] if len(points) == 1 else _middle(points)
+        (a, b), (c, d) = points[0], points[-1]
+        center = Point((a + c) / 2, (b + d) / 2)
         low, high = (Point(center.x + by, center.y + by) for by in (-near, near))
         window = Window(*low, *high, SIDE, SIDE)
         if y_down:
@@ -205,7 +197,6 @@ class DrawnShape(NamedTuple):
     pieces: Sequence[RoundedPiece] = ()
 
     def list_corners(self) -> list[Point]:
-        """List the vertices, or the corners of the boxes of the pieces."""
         return [*chain.from_iterable(self.rings), *list_corners(self.pieces)]
 
     def list_rings(self, center: Point, near: Fraction) -> list[Sequence[Vertex]]:
@@ -214,7 +205,6 @@ class DrawnShape(NamedTuple):
 
 
 def list_walls(layout: Layout) -> tuple[DrawnShape, list[DrawnShape]]:
-    """Return the exterior of the container, if there is one, and the defects."""
     container = layout.container
     defects = [
         DrawnShape(one.shape.rings) if isinstance(one.shape, Region) else DrawnShape((), one.shape)
@@ -246,24 +236,14 @@ def place_shape(layout: Layout, k: int) -> DrawnShape:
 
 
 def place_part(layout: Layout, k: int) -> list[list[Point]]:
-    """Return the placed rings of a part; irrational rotations have errors up to 2**-64."""
     placement = layout.placements[k]
     part = layout.part_by_id[placement.part]
+    # Irrational rotations have errors up to 2**-64.
     (a, b, c, d), (dx, dy) = placement.rows(_BITS), placement.move
     return [
         [Point(a * x + b * y + dx, c * x + d * y + dy) for x, y in ring]
         for ring in (part.exterior, *part.holes)
     ]
-
-
-def _middle(points: Sequence[Point]) -> Point:
-    (a, b), (c, d) = points[0], points[-1]
-    return Point((a + c) / 2, (b + d) / 2)
-
-
-def _measure(points: Sequence[Point]) -> Fraction:
-    xs, ys = zip(*points, strict=True)
-    return max(max(xs) - min(xs), max(ys) - min(ys)) or Fraction(1)
 
 
 def _path(

@@ -1,7 +1,5 @@
 """A judged layout as a text report or as JSON."""
 
-from __future__ import annotations
-
 from collections import Counter
 from collections.abc import Iterable, Mapping, Sequence
 from fractions import Fraction
@@ -82,7 +80,6 @@ def report_layout(
 def list_measures(
     judgement: Judgement, ranked: Sequence[WorstFirst], context: ReportContext = NO_CONTEXT
 ) -> dict[str, str]:
-    """Return the verdict and the measures of a layout as strings, by name."""
     layout = judgement.layout
     facts = {
         "verdict": write_verdict(judgement, ranked, context),
@@ -100,7 +97,7 @@ def list_measures(
     if judgement.density is not None:
         rounded = approximate(judgement.density)
         exact = rounded if judgement.density_error else abridge(judgement.density)
-        facts["density"] = _about(rounded, exact)
+        facts["density"] = exact if rounded == exact else f"{rounded}, exactly {exact}"
     facts["contacts"] = str(len(judgement.contacts))
     if layout.greatest_error:
         facts["curves"] = tell_error(layout.greatest_error)
@@ -146,7 +143,6 @@ def _count_kinds(kinds: Mapping[FaultKind, int]) -> str:
 
 
 def sum_up(ranked: Sequence[WorstFirst], context: ReportContext) -> str:
-    """Count faults, and state the greatest depth or shortfall."""
     said = _count_kinds(Counter(one.fault.kind for one in ranked))
     depths = [one.depth for one in ranked]
     deepest = context.add_unit(approximate(max(depths), up=True))
@@ -171,11 +167,7 @@ def find_remarks(
 
 
 def _round_up(value: Fraction) -> str:
-    """Round a positive number up to one digit.
-
-    >>> _round_up(Fraction("0.0123"))
-    '0.02'
-    """
+    """Round a positive number up to one digit."""
     unit = Fraction(10) ** find_magnitude(value)
     return approximate(-(-value // unit) * unit)
 
@@ -243,7 +235,6 @@ def write_layout_json(
 
 
 def _measure_box(judgement: Judgement) -> dict[str, Any]:
-    """Return the box of the parts, its longer side, its width, and the bound on their errors."""
     if judgement.box is None:
         return {"box": None}
     low, high = judgement.box
@@ -277,7 +268,3 @@ def _write_about(point: Point, box: tuple[Point, Point] | None = None) -> str:
         more = find_magnitude(abs(c)) - find_magnitude(Fraction(size)) if c and size else 0
         rounded.append(approximate(c, more=max(0, more)))
     return f"({', '.join(rounded)})"
-
-
-def _about(rounded: str, exact: str) -> str:
-    return exact if rounded == exact else f"{rounded}, exactly {exact}"

@@ -1,7 +1,5 @@
 """Ranking of faults, and the context of a report."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Sequence
 from fractions import Fraction
 from typing import NamedTuple, get_args
@@ -53,7 +51,6 @@ class ReportContext(NamedTuple):
     accepted: Fraction | None = None  # faults up to this depth are accepted
 
     def name_placement(self, judgement: Judgement, k: int) -> str:
-        """Return the index of a placement, the id of its part and its location in the file."""
         part = judgement.layout.placements[k].part
         place = self.places[k] if k < len(self.places) else ""
         name = str(k) if part == str(k) else f"{k} {part}".strip()
