@@ -51,7 +51,7 @@ class _Plan:
             edges = list(chain.from_iterable(map(pairwise, split)))
         self.edges: list[_IntEdge] = edges
         self._rows = BoxRows([_find_box(*edge) for edge in edges])
-        # A long diagonal would span many rows, so all diagonals share one; it starts with an edge.
+        # A long diagonal would span many rows, so all diagonals share one; entry 0 is its bounds.
         self._diagonals = BoxRows([(min(xs), max(xs), min(ys), max(ys))])
 
     def _find_on(self, a: IntVertex, b: IntVertex) -> Iterator[IntVertex]:
@@ -71,7 +71,7 @@ class _Plan:
     def is_blocked(self, p: IntVertex, q: IntVertex) -> bool:
         """Decide whether an edge that does not end in p or q meets the segment between them."""
         box = _find_box(p, q)
-        for k in chain(self._rows.find(box), self._diagonals.find(box)):
+        for k in chain(self._rows.find(box), filter(None, self._diagonals.find(box))):
             a, b = self.edges[k]
             if a in (p, q) or b in (p, q):
                 continue

@@ -37,6 +37,28 @@ def test_a_plate_with_many_holes_is_cut_into_convex_pieces(holes: int, shear: in
     assert len(pieces) <= 1 + sum(map(len, rings[1:]))
 
 
+def test_a_diagonal_collinear_with_an_edge_elsewhere_is_free() -> None:
+    plus = [(0, 3), (3, 3), (3, 4), (4, 4), (4, 3), (5, 3), (5, 0), (6, 0), (6, 3), (9, 3), (9, 4)]
+    ring = [
+        *plus,
+        (7, 4),
+        (7, 5),
+        (4, 5),
+        (4, 7),
+        (3, 7),
+        (3, 6),
+        (2, 6),
+        (2, 7),
+        (1, 7),
+        (1, 6),
+        (0, 6),
+    ]
+    for k in range(len(ring)):
+        pieces = cut_to_convex([ring[k:] + ring[:k]])
+        assert sum(map(find_doubled_area, pieces)) == find_doubled_area(ring)
+        assert all(min(find_turns(piece)) > 0 for piece in pieces)
+
+
 @pytest.mark.long
 def test_many_holes_take_linear_time() -> None:
     require_linear(lambda holes: cut_to_convex(make_plate(holes)), 36)
