@@ -13,7 +13,7 @@ from exactsweep.formats.choice import choose
 from exactsweep.formats.error import FormatError
 from exactsweep.formats.exact_json import describe_kind, parse_certificate, parse_json
 from exactsweep.formats.files import decode_text
-from exactsweep.formats.parsing import find_candidates
+from exactsweep.formats.json_polygons import find_candidates
 from exactsweep.formats.rounding import Rounding
 from exactsweep.geometry.region import AnyPolygon
 from exactsweep.numbers.error import prefix_errors, quote

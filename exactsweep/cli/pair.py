@@ -301,7 +301,7 @@ def read_placed(
     with working("reading"), name_file(file):
         first, regions = separate_holes(one)
     with working("reading"), name_file(its_file):
-        second = [read_single(one, Candidate.named_region).region for one in others_of]
+        second = [read_single(one, Candidate.region) for one in others_of]
     if not placed:
         return first, second, regions
     layouts = {path: found for path in placed if (found := _read_layout(path, reading))}
@@ -368,7 +368,7 @@ def read_two(stays: str, moves: str, reading: ReadingOptions) -> tuple[Region, R
     regions = []
     for (candidate, *_), file in _choose_two(stays, moves, reading):
         with working("reading"), name_file(file):
-            regions.append(read_single(candidate, Candidate.named_region).region)
+            regions.append(read_single(candidate, Candidate.region))
     return regions[0], regions[1]
 
 

@@ -81,7 +81,7 @@ def _read_with_path(
     keep_errors(found[0].error)
     report_error(found[0].error, reading)
     with name_file(name):
-        return read_single(found[0], Candidate.named_region).region, path
+        return read_single(found[0], Candidate.region), path
 
 
 @click.command("sum")

@@ -23,7 +23,8 @@ from exactsweep.formats.exact_json import (
     read_vertices,
 )
 from exactsweep.formats.files import open_bytes
-from exactsweep.formats.parsing import find_candidates, parse_candidates
+from exactsweep.formats.json_polygons import find_candidates
+from exactsweep.formats.parsing import parse_candidates
 from exactsweep.formats.reading import Options
 from exactsweep.numbers.error import prefix_errors, quote
 from exactsweep.numbers.limits import get_max_bytes

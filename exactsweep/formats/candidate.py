@@ -215,17 +215,11 @@ class Candidate(NamedTuple):
             kind = PolygonError if isinstance(error, PolygonError) else FormatError
             raise kind(f"{self.place}: {error}" if self.place else str(error)) from None
 
-    def named_polygon(self) -> NamedPolygon:
-        return NamedPolygon(self.polygon(), self.name, self.layer, self.error)
-
-    def named_region(self) -> NamedRegion:
-        return NamedRegion(self.region(), self.name, self.layer, self.error)
-
     def named_polygons(self, said: Said) -> list[NamedPolygon]:
-        return self.read(Candidate.named_polygon, said)
+        return self.read(lambda c: NamedPolygon(c.polygon(), c.name, c.layer, c.error), said)
 
     def named_regions(self, said: Said) -> list[NamedRegion]:
-        return self.read(Candidate.named_region, said)
+        return self.read(lambda c: NamedRegion(c.region(), c.name, c.layer, c.error), said)
 
 
 def choose_same(

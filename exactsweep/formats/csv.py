@@ -94,6 +94,7 @@ def _parse(text: str) -> list[Candidate]:
     others = [columns.get(cell, maxsize) for cell in ("polygon", "ring")]
     polygons: dict[tuple[str, str], _RowsByRing] = {}
     written: list[Candidate] = []
+    found: list[Candidate] = []
     point = "," if separator == "," else "."
     for line, row in rows:
         if len(row) <= max(places):
@@ -111,7 +112,10 @@ def _parse(text: str) -> list[Candidate]:
         polygon, ring = (row[k] if k < len(row) else "" for k in others)
         x, y = (cell.replace(",", point) for cell in cells)
         polygons.setdefault((polygon, name), {}).setdefault(ring, []).append((line, x, y))
-    return [*allow_faults(written), *(_candidate(n, rings) for (_, n), rings in polygons.items())]
+    for (_, name), rings in polygons.items():
+        readers = ((f"line {row[0][0]}", partial(_vertices, row)) for row in rings.values())
+        found.append(Candidate.of_rings(readers, name=name or None))
+    return [*allow_faults(written), *found]
 
 
 def _read_wkt(text: str, line: int, name: str | None) -> list[Candidate]:
@@ -133,11 +137,6 @@ def _read_box(line: int, cells: Sequence[str]) -> list[Point]:
         x, y, width, height = (read_decimal(cell.strip()) for cell in cells)
     u, v = x + width, y + height
     return [Point(x, y), Point(u, y), Point(u, v), Point(x, v)]
-
-
-def _candidate(name: str, rings: _RowsByRing) -> Candidate:
-    readers = ((f"line {cells[0][0]}", partial(_vertices, cells)) for cells in rings.values())
-    return Candidate.of_rings(readers, name=name or None)
 
 
 def _vertices(cells: Sequence[tuple[int, str, str]]) -> list[Point]:

@@ -1,16 +1,27 @@
-"""Reader of exact JSON: lists of vertices, parts with holes, lists of these, and results."""
+"""Reader of exact JSON and of GeoJSON (RFC 7946)."""
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from functools import partial
 
 from exactsweep.formats.candidate import Candidate, allow_faults
 from exactsweep.formats.error import FormatError
 from exactsweep.formats.exact_json import describe_kind, read_vertices
 from exactsweep.formats.node import JsonNode
+from exactsweep.numbers.number import Point
 
+_MAX_DEPTH = 100  # of GeoJSON collections
 _LOOPS = ("trajectory", "inner", "outer", "unswept", "regions")
 _LISTS = ("unswept", "regions")
 _RINGS = ("vertices", "exterior", "points", "polygon")
+
+
+def find_candidates(
+    document: object, path: str = "$", notes: dict[str, None] | None = None
+) -> Sequence[Candidate]:
+    if isinstance(document, dict) and "type" in document and "vertices" not in document:
+        found = read_geojson(document, path, notes)
+        return found if len(found) > 1 else [one._replace(place="") for one in found]
+    return read_exact(document, path)
 
 
 def read_exact(document: object, path: str = "$") -> list[Candidate]:
@@ -54,7 +65,7 @@ def _read_result(node: JsonNode, document: Mapping[str, object]) -> list[Candida
             found += [one._replace(name=f"{member} {k}") for k, one in each]
         else:
             found.append(_read_one(loop)._replace(name=member))
-    named = read_record_name(document)
+    named = _find_record_name(document)
     if named is not None:
         found = [one._replace(name=f"{named} {one.name}") for one in found]
     if not found and isinstance(document.get("error"), str):
@@ -62,7 +73,7 @@ def _read_result(node: JsonNode, document: Mapping[str, object]) -> list[Candida
     return found
 
 
-def read_record_name(document: Mapping[str, object]) -> str | None:
+def _find_record_name(document: Mapping[str, object]) -> str | None:
     for members in (("id",), ("generatrix", "directrix"), ("index",)):
         values = [document.get(member) for member in members]
         if all(isinstance(value, str) for value in values):
@@ -100,3 +111,67 @@ def _read_one(node: JsonNode) -> Candidate:
     if bound < 0:
         raise FormatError(f"{path}.error is negative")
     return Candidate.of_rings(readers, path, name, error=bound)
+
+
+def read_geojson(
+    document: Mapping[str, object], path: str = "$", notes: dict[str, None] | None = None
+) -> list[Candidate]:
+    """Find the Polygons of a document parsed by `parse_json`, named by their Feature ids.
+
+    Other geometries and open rings become rejected candidates. Raises FormatError for malformed
+    collections and ids.
+    """
+    found = _read_geometry(JsonNode(document, path), None, 0, {} if notes is None else notes)
+    return [*allow_faults(found)]
+
+
+def _read_geometry(
+    node: JsonNode, name: str | None, depth: int, notes: dict[str, None]
+) -> Iterator[Candidate]:
+    if not isinstance(node.value, dict):
+        yield Candidate.refused(f"{node.path} is {describe_kind(node.value)}, not a Polygon", name)
+        return
+    if depth > _MAX_DEPTH:
+        raise FormatError("nested too deeply")
+    kind = node.get("type", None).value
+    if kind == "Feature":
+        name = node.get("id", None).id
+        yield from _read_geometry(node.get("geometry", None), name, depth + 1, notes)
+    elif kind == "Polygon":
+        yield _read_rings(node.get("coordinates", None), name, notes)
+    elif kind == "MultiPolygon":
+        for rings in node.get("coordinates", None).each():
+            yield _read_rings(rings, name, notes)
+    elif kind in ("FeatureCollection", "GeometryCollection"):
+        member = "features" if kind == "FeatureCollection" else "geometries"
+        for part in node.get(member, None).each():
+            yield from _read_geometry(part, name, depth + 1, notes)
+    else:
+        yield Candidate.refused(f"{node.path}.type is {describe_kind(kind)}, not 'Polygon'", name)
+
+
+def _read_rings(node: JsonNode, name: str | None, notes: dict[str, None]) -> Candidate:
+    try:
+        rings = [*node.each("a list of rings")]
+        level = []
+        for ring in rings:
+            entries = ring.entries("a list of vertices")
+            flat = [p[:2] if isinstance(p, list) and len(p) == 3 else p for p in entries]
+            level.append(JsonNode(flat, ring.path))
+    except FormatError as error:
+        return Candidate.refused(error, name)
+    if not rings:
+        return Candidate.refused(f"{node.path} is empty", name)
+    if level != rings:
+        notes["third coordinates (heights) are ignored"] = None
+    readers = ((ring.path, partial(_read_ring, *ring)) for ring in level)
+    return Candidate.of_rings(readers, node.path, name)
+
+
+def _read_ring(value: object, path: str) -> list[Point]:
+    ring = read_vertices(value, path)
+    if not ring:
+        raise FormatError(f"{path} is empty")
+    if ring[0] != ring[-1]:
+        raise FormatError(f"{path} is not closed: the last vertex must repeat the first")
+    return ring

@@ -6,19 +6,16 @@ from contextlib import suppress
 from itertools import chain
 from typing import Unpack
 
-from exactsweep.formats import csv, plain
+from exactsweep.formats import columns, csv, plain, size
 from exactsweep.formats.candidate import Candidate, allow_faults
-from exactsweep.formats.columns import refuse_placements
+from exactsweep.formats.choice import keep_layers
 from exactsweep.formats.depth import nest_candidates
 from exactsweep.formats.error import FormatError
 from exactsweep.formats.exact_json import count_vertices, parse_json
 from exactsweep.formats.files import DXF_SIGN
-from exactsweep.formats.geojson import read_geojson
-from exactsweep.formats.json_polygons import read_exact
-from exactsweep.formats.layers import keep_layers
+from exactsweep.formats.json_polygons import find_candidates
 from exactsweep.formats.part_list import Coordinates, PartList
 from exactsweep.formats.reading import Options, Reading
-from exactsweep.formats.size import ELEMENT, ENTITY, measure_text, require_text
 from exactsweep.formats.wkt import parse_wkt
 from exactsweep.numbers.error import quote
 
@@ -78,7 +75,7 @@ def _parse(text: str, reading: Reading) -> Sequence[Candidate]:
     plain.require_known(text)
     if first in "[{":
         return _read_json(text, reading)
-    require_text(text, _count_vertices(text))
+    size.require_text(text, _count_vertices(text))
     if csv.is_csv(text):
         return csv.parse_csv(text)
     if plain.is_plain(text):
@@ -87,7 +84,9 @@ def _parse(text: str, reading: Reading) -> Sequence[Candidate]:
         return plain.parse_numbers(text)
     if _WKT.match(text):
         return parse_wkt(text, reading.notes)
-    refuse_placements(re.split(r"[,;\t]", text.lstrip()[:1000].partition("\n")[0]), "line 1")
+    columns.refuse_placements(
+        re.split(r"[,;\t]", text.lstrip()[:1000].partition("\n")[0]), "line 1"
+    )
     raise FormatError(
         f"starts with {quote(text.split(maxsplit=1)[0])}: not JSON, GeoJSON, WKT, SVG, DXF, or CSV "
         "with columns x and y"
@@ -102,10 +101,10 @@ def measure_written(text: str) -> int:
     """
     first = text.lstrip()[:1]
     if first == "<":
-        return max(measure_text(text, text.count(",")), ELEMENT * text.count("<"))
+        return max(size.measure_text(text, text.count(",")), size.ELEMENT * text.count("<"))
     if DXF_SIGN.match(text):
-        return max(measure_text(text, 0), ENTITY * sum(1 for _ in _ENTITY.finditer(text)))
-    return measure_text(text, count_vertices(text) if first in "[{" else _count_vertices(text))
+        return max(size.measure_text(text, 0), size.ENTITY * sum(1 for _ in _ENTITY.finditer(text)))
+    return size.measure_text(text, count_vertices(text) if first in "[{" else _count_vertices(text))
 
 
 def _count_vertices(text: str) -> int:
@@ -141,7 +140,7 @@ def _read_json(text: str, reading: Reading) -> Sequence[Candidate]:
         (rows,) = document.values()
     if isinstance(rows, list) and rows and isinstance(rows[0], dict):
         is_flat = not any(isinstance(value, list | dict) for value in rows[0].values())
-        refuse_placements([*rows[0]] if is_flat else [], "the first entry")
+        columns.refuse_placements([*rows[0]] if is_flat else [], "the first entry")
     return find_candidates(document, notes=notes)
 
 
@@ -152,12 +151,3 @@ def _read_line(line: str, number: int, notes: dict[str, None]) -> Sequence[Candi
         reason = str(error).removeprefix("line 1, ")
         named = "" if reason.startswith("line ") else f"line {number}: "
         return [Candidate.refused(f"{named}{reason}")]
-
-
-def find_candidates(
-    document: object, path: str = "$", notes: dict[str, None] | None = None
-) -> Sequence[Candidate]:
-    if isinstance(document, dict) and "type" in document and "vertices" not in document:
-        found = read_geojson(document, path, notes)
-        return found if len(found) > 1 else [one._replace(place="") for one in found]
-    return read_exact(document, path)

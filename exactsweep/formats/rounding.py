@@ -192,7 +192,12 @@ def _move(ring: Sequence[Point], grid: Fraction) -> _Moved | None:
         moved = [*chain.from_iterable(chains)]
         if all(chains) and _is_proved(moved, old, is_exterior):
             return _scale(moved, _distance(points, alive, chains), grid)
-        ears = _ears(corners)
+        turns = (
+            orientation(corners[i - 1], v, corners[(i + 1) % len(corners)])
+            for i, v in enumerate(corners)
+        )
+        # Twice the area of the ear at each right turn, and its index.
+        ears = [(-area, i) for i, area in enumerate(turns) if area < 0]
         # Drop vertices without a grid point first, twice as many each time.
         ears.sort(key=lambda ear: (bool(chains[ear[1]]), ear))
         if not ears:
@@ -269,15 +274,6 @@ def _closest(v: Point, e: Vertex, f: Vertex) -> list[Point]:
         if cross(e, by) <= 0 and cross(f, by) <= 0
     ]
     return [min(near)[1]] if near else []
-
-
-def _ears(corners: Sequence[Point]) -> list[tuple[Rational, int]]:
-    """Return twice the area of the ear at each right turn, and its index."""
-    turns = (
-        orientation(corners[i - 1], v, corners[(i + 1) % len(corners)])
-        for i, v in enumerate(corners)
-    )
-    return [(-area, i) for i, area in enumerate(turns) if area < 0]
 
 
 def _hull(points: Sequence[Point]) -> list[Point]:

@@ -16,7 +16,7 @@ from exactsweep.formats import (
     parse_polygon,
     read_polygon,
 )
-from exactsweep.formats.geojson import read_geojson
+from exactsweep.formats.json_polygons import read_geojson
 from exactsweep.text.results import sweep_to_json
 
 POLYGONS = Path(__file__).parents[1] / "support" / "polygons"

@@ -14,7 +14,7 @@ from mpmath import mp, mpf
 from exactsweep.formats import FormatError
 from exactsweep.formats.curved.arc import to_degrees
 from exactsweep.formats.layouts import read_layouts
-from exactsweep.formats.layouts.found import FoundLayout
+from exactsweep.formats.layouts.model import FoundLayout
 from exactsweep.formats.layouts.table import is_table
 from exactsweep.layout import Layout, judge_layout
 

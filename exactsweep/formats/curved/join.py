@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections import Counter, defaultdict
 from collections.abc import Container, Hashable, Iterable, Iterator, Mapping, Sequence
 from fractions import Fraction
+from itertools import chain
 from typing import NamedTuple
 
 from exactsweep.formats.candidate import Candidate
@@ -233,14 +234,10 @@ def _outlines(
             alone = len(joined) == 1 and not start.path
             alone = alone and not any(joint in lost for joint in joints)
             rejected = shape.rejected(fault, ornament=alone)
-            yield order, rejected._replace(points=tuple(_list_points(joined)))
+            runs = (line.path.points if line.path else line.ends for line in joined)
+            yield order, rejected._replace(points=(*chain.from_iterable(runs),))
         else:
             yield order, draw_outline(_walk(lines, at, points, first), shape, reading)
-
-
-def _list_points(lines: Iterable[OpenLine]) -> Iterator[Point]:
-    for line in lines:
-        yield from line.path.points if line.path else line.ends
 
 
 def _fault(line: OpenLine, end: Point, count: int, reading: Reading) -> str:

@@ -12,7 +12,7 @@ still cross, finer tolerances are tried.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Hashable, Iterable, Iterator, Sequence
+from collections.abc import Callable, Hashable, Iterable, Sequence
 from fractions import Fraction
 from math import pi
 from typing import TypeVar
@@ -172,8 +172,10 @@ class Path:
             raise FormatError(
                 "numbers too large for an irrational rotation; try a larger --flatten"
             )
-        for before, after in self._corners():
-            self._part(before, after, places, tolerance)
+        for before in self.curves:
+            after = (before + 1) % (len(self.points) - 1) if self.is_closed else before + 1
+            if after in self.curves and after != before:
+                self._part(before, after, places, tolerance)
         points = self.points
         if self.off or self.soft:
             rounded = round_points(points, grid)
@@ -191,12 +193,6 @@ class Path:
                 inner = curve.points(sorted({*places[k]}), grid)
                 found += inner if forward else inner[::-1]
         return found
-
-    def _corners(self) -> Iterator[tuple[int, int]]:
-        for k in self.curves:
-            after = (k + 1) % (len(self.points) - 1) if self.is_closed else k + 1
-            if after in self.curves and after != k:
-                yield k, after
 
     def _part(
         self, before: int, after: int, places: dict[int, list[int]], tolerance: Fraction

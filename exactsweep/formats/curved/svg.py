@@ -9,14 +9,13 @@ from xml.etree.ElementTree import Element
 
 from exactsweep.formats.candidate import Candidate, allow_faults, choose_same
 from exactsweep.formats.curved.affine import Affine
-from exactsweep.formats.curved.dots import draw_dot, is_point
 from exactsweep.formats.curved.join import OpenLine, draw_outline, gather
 from exactsweep.formats.curved.path import Path, draw_circle, draw_lines, flatten_together
 from exactsweep.formats.curved.svg_path import Subpaths, read_path
 from exactsweep.formats.curved.svg_placed import PlacedElement
 from exactsweep.formats.curved.svg_style import Style, find_link, name_kind
-from exactsweep.formats.curved.xml import line, parse_xml
-from exactsweep.formats.decimals import count_decimals, read_points
+from exactsweep.formats.curved.xml import line
+from exactsweep.formats.decimals import count_decimals, read_decimal, read_points
 from exactsweep.formats.depth import nest_lines
 from exactsweep.formats.error import FormatError, OrnamentError
 from exactsweep.formats.filling import Filled, fill
@@ -32,19 +31,6 @@ _INVISIBLE = ("hidden", "collapse")
 _TOO_FEW = "fewer than three vertices"
 _UNPAINTED = ("none", "transparent")
 MAX_DEPTH = 32  # of nested uses
-
-
-def parse_svg(text: str, reading: Reading) -> list[Candidate]:
-    """Find the outlines of an SVG document, named by their ids, in order.
-
-    Coordinates are user units unless a unit is requested; Y points down.
-
-    Example:
-        >>> text = '<svg xmlns="http://www.w3.org/2000/svg"><path id="a" d="M0 0h2v.5z"/></svg>'
-        >>> [(found.name, str(found.polygon())) for found in parse_svg(text, Reading())]
-        [('a', '(0, 0) (2, 0) (2, 1/2)')]
-    """
-    return read_svg(parse_xml(text), reading)
 
 
 def read_svg(root: Element, reading: Reading, style: Style | None = None) -> list[Candidate]:
@@ -156,8 +142,8 @@ def _read(shape: PlacedElement, reading: Reading) -> list[Candidate | OpenLine]:
     try:
         found = SHAPES[name_kind(shape.element)](shape, matrix, reading)
         if reading.dots:
-            found = [draw_dot(path, shape, matrix) or path for path in found]
-            if all(map(is_point, found)):
+            found = [_draw_dot(path, shape, matrix) or path for path in found]
+            if all(map(_is_point, found)):
                 raise OrnamentError("a stroke of no length; only round caps draw a disc")
         closed = [path for path in found if len(path.points) > 1 and path.is_closed]
         opened = [path for path in found if not path.is_closed]
@@ -180,6 +166,24 @@ def _read(shape: PlacedElement, reading: Reading) -> list[Candidate | OpenLine]:
         return [whole.rejected(f"{shape.place}: {error}", ornament=is_ornament)]
     line = outline if is_filled(shape) else whole
     return drawn + [OpenLine.of(line, path, is_exact=not matrix.off) for path in opened]
+
+
+def _draw_dot(path: Path, shape: PlacedElement, matrix: Affine) -> Path | None:
+    """Return the disc of a zero-length path with round caps, as wide as the stroke, else None."""
+    x, y = path.points[0]
+    is_round = shape.inherited("stroke-linecap", "butt") == "round"
+    if not is_round or len(path.points) < 2 or not _is_point(path):
+        return None
+    if shape.inherited("stroke", "none") in _UNPAINTED:
+        return None
+    radius = read_decimal(shape.inherited("stroke-width", "1").strip().removesuffix("px")) / 2
+    a, b, c, d = (number * radius for number in matrix[:4])
+    off = matrix.off * max(radius, Fraction(1)) + path.off
+    return draw_circle(Affine(a, b, c, d, x, y, off)) if radius > 0 else None
+
+
+def _is_point(path: Path) -> bool:
+    return not path.curves and len({*path.points}) == 1
 
 
 def is_filled(shape: PlacedElement) -> bool:
@@ -205,21 +209,11 @@ def _draw_regions(
         number = count(len(pieces), "polygon")
         crossing = "its subpaths intersect"
         reading.notes[f"{shape.place}: {crossing}: {number} by its fill rule"] = None
-    return [
-        piece._replace(finer=partial(_draw_finer, closed, shape, reading, pieces, k))
-        for k, piece in enumerate(pieces)
-    ]
 
+    def find_finer(k: int, tolerance: Fraction) -> Candidate | None:
+        return choose_same(pieces, k, _draw_regions(closed, shape, reading.at(tolerance)))
 
-def _draw_finer(
-    closed: Sequence[Path],
-    shape: Candidate,
-    reading: Reading,
-    pieces: Sequence[Candidate],
-    k: int,
-    tolerance: Fraction,
-) -> Candidate | None:
-    return choose_same(pieces, k, _draw_regions(closed, shape, reading.at(tolerance)))
+    return [piece._replace(finer=partial(find_finer, k)) for k, piece in enumerate(pieces)]
 
 
 def _name(shape: PlacedElement) -> str | None:

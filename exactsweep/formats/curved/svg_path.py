@@ -6,16 +6,9 @@ from fractions import Fraction
 from itertools import accumulate
 from typing import NoReturn
 
+from exactsweep.formats.curved import curves
 from exactsweep.formats.curved.affine import Affine
 from exactsweep.formats.curved.arc import make_rotation
-from exactsweep.formats.curved.curves import (
-    Arc,
-    Curve,
-    find_arc_center,
-    make_bezier,
-    make_round_arc,
-    round_root_up,
-)
 from exactsweep.formats.curved.path import Path, place_points
 from exactsweep.formats.decimals import DECIMAL, count_decimals, read_decimal, read_decimals
 from exactsweep.formats.error import FormatError
@@ -140,7 +133,7 @@ class Subpaths:
         if all(point == before for point in points):
             self._add([before])
         else:
-            curve = make_bezier(tuple(place_points(controls, self.matrix)))
+            curve = curves.make_bezier(tuple(place_points(controls, self.matrix)))
             self._curve(curve, points[-1], controls)
 
     def _add(self, ends: list[Point]) -> None:
@@ -148,7 +141,7 @@ class Subpaths:
         self.found[-1].points += place_points(ends, self.matrix)
         self._let_off(ends)
 
-    def _curve(self, drawn: tuple[Curve, bool], end: Point, around: list[Point]) -> None:
+    def _curve(self, drawn: tuple[curves.Curve, bool], end: Point, around: list[Point]) -> None:
         """Append a curve inside the convex hull of `around`."""
         curve, forward = drawn
         self.current = end
@@ -171,7 +164,7 @@ def make_elliptic_arc(
     angle: Fraction,
     flags: tuple[bool, bool],
     matrix: Affine,
-) -> tuple[Arc, bool]:
+) -> tuple[curves.Arc, bool]:
     """Return an elliptical arc (SVG 1.1, F.6), and whether it runs from start to end.
 
     After scaling the ellipse to a unit circle, the center is k half chords from the midpoint of the
@@ -187,8 +180,8 @@ def make_elliptic_arc(
     zero = Fraction(0)
     image = matrix @ turn._replace(off=zero) @ Affine(rx, zero, zero, ry, zero, zero)
     half = ((end.x - start.x) ** 2 + (end.y - start.y) ** 2) / 4
-    height = round_root_up(max(1 - half, zero) / half, _HEIGHTS)
+    height = curves.round_root_up(max(1 - half, zero) / half, _HEIGHTS)
     if large == left:
         height = -height
-    center = find_arc_center(start, end, height)
-    return make_round_arc(center, start, end, image, left=left)
+    center = curves.find_arc_center(start, end, height)
+    return curves.make_round_arc(center, start, end, image, left=left)

@@ -119,7 +119,9 @@ class PlacedElement:
             raise FormatError(f"{name} is missing")
         if self.parent and self.styled.get(name):
             raise FormatError(f"{name} in a style is not supported")
-        number, unit = _split(text.strip())
+        text = text.strip()
+        unit = next((unit for unit in _PX if unit and text.endswith(unit)), "")
+        number = text.removesuffix(unit).rstrip()
         with prefix_errors(name, FormatError):
             return read_decimal(number) * (self._whole(name) / 100 if unit == "%" else _PX[unit])
 
@@ -228,10 +230,3 @@ class PlacedElement:
 
 # Alignment as the share of the spare space before a view.
 _SHARES = {"Min": Fraction(0), "Mid": Fraction(1, 2), "Max": Fraction(1)}
-
-
-def _split(text: str) -> tuple[str, str]:
-    for unit in _PX:
-        if unit and text.endswith(unit):
-            return text.removesuffix(unit).rstrip(), unit
-    return text, ""

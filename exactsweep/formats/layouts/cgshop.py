@@ -7,43 +7,38 @@ Source: the verifier of the challenge, `CG-SHOP/pyutils24`.
 """
 
 from exactsweep.formats.error import FormatError
-from exactsweep.formats.layouts.found import (
-    STANDING,
-    FilledSheet,
-    FoundLayout,
-    NestingInstance,
-    find_named,
-    list_unknown,
-    make_layouts,
-    require_instance,
-)
+from exactsweep.formats.layouts import model
 from exactsweep.formats.node import Data, JsonNode
 
 _DOCUMENT = "type", "instance_name", "name", "items", "container", "meta", "num_items"
 
 
-def read_instance(document: JsonNode) -> NestingInstance:
+def read_instance(document: JsonNode) -> model.NestingInstance:
     parts = {}
     for k, item in enumerate((document / "items").each()):
         allowed = {"demand": item.get("quantity", "1").whole, "turns": ["0"], "mirrored": False}
         parts[str(k)] = {"id": str(k), **_polygon(item), **allowed}
     containers = {"container": _polygon(document / "container")}
-    unchecked = list_unknown([document], *_DOCUMENT)
-    unchecked += list_unknown((document / "items").each(), "quantity", "value", "x", "y")
-    return NestingInstance("cgshop", parts, {}, containers, {}, (), tuple(unchecked))
+    unchecked = model.list_unknown([document], *_DOCUMENT)
+    unchecked += model.list_unknown((document / "items").each(), "quantity", "value", "x", "y")
+    return model.NestingInstance("cgshop", parts, {}, containers, {}, (), tuple(unchecked))
 
 
-def read_solution(document: JsonNode, known: NestingInstance | None) -> list[FoundLayout]:
-    instance = require_instance(known, "cgshop", "polygons")
+def read_solution(
+    document: JsonNode, known: model.NestingInstance | None
+) -> list[model.FoundLayout]:
+    instance = model.require_instance(known, "cgshop", "polygons")
     names = "item_indices", "x_translations", "y_translations"
     indices, xs, ys = ([*(document / name).each()] for name in names)
     if not len(indices) == len(xs) == len(ys):
         raise FormatError(f"$: {', '.join(names)} differ in length")
     placements = []
     for index, x, y in zip(indices, xs, ys, strict=True):
-        find_named(instance.parts, index, "item")
-        placements.append(STANDING | {"part": index.name, "move": [x.number, y.number]})
-    return make_layouts([FilledSheet(instance.containers["container"], placements)], instance)
+        model.find_named(instance.parts, index, "item")
+        placements.append(model.STANDING | {"part": index.name, "move": [x.number, y.number]})
+    return model.make_layouts(
+        [model.FilledSheet(instance.containers["container"], placements)], instance
+    )
 
 
 def _polygon(value: JsonNode) -> Data:

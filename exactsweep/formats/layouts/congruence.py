@@ -8,7 +8,7 @@ from exactsweep.formats.rounded import RoundedOutline
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.geometry.region import Region
 from exactsweep.geometry.vectors import minus
-from exactsweep.numbers.number import Loop, Point
+from exactsweep.numbers.number import Point
 
 _SHARE = 1e-6
 _EdgeShape = tuple[Fraction, Fraction, Fraction]
@@ -69,7 +69,9 @@ def find_rounded_congruence(part: RoundedOutline, drawn: RoundedOutline) -> Cong
 
 
 def _list_maps(part: Region, drawn: Region, *, mirrored: bool) -> Iterator[Congruence]:
-    ring = _mirror(part.exterior) if mirrored else part.exterior.vertices
+    ring = part.exterior.vertices
+    if mirrored:
+        ring = tuple(Point(-x, y) for x, y in reversed(ring))
     goal = drawn.exterior.vertices
     corners, goals = _list_corners(ring), _list_corners(goal)
     room = _SHARE * float(max(length for length, _, _ in corners)) ** 0.5
@@ -102,10 +104,6 @@ def _follows(ring: Sequence[Point], other: Polygon, room: float) -> bool:
 def _is_near(one: _EdgeShape, other: _EdgeShape) -> bool:
     room = _SHARE * float(max(one[0], other[0]) + abs(one[1]) + abs(one[2]))
     return all(abs(float(a - b)) <= room for a, b in zip(one, other, strict=True))
-
-
-def _mirror(ring: Polygon) -> Loop:
-    return tuple(Point(-x, y) for x, y in reversed(ring.vertices))
 
 
 def _edge(ring: Sequence[Point], k: int) -> tuple[Fraction, Fraction]:

@@ -70,7 +70,14 @@ def find_sheets(outlines: Sequence[Candidate], container: str | None) -> list[Sh
     sheets = [Sheet(one, [], [], []) for one in found]
     for one in outlines:
         if not any(one is other for other in found):
-            sheet = _find_sheet(boxes[id(one)], sheets, boxes)
+            # The sheet that contains the center of the box, else one that meets it, else the first.
+            fitting = (
+                s
+                for test in (_holds, _meet)
+                for s in sheets
+                if test(boxes[id(s.container)], boxes[id(one)])
+            )
+            sheet = next(fitting, sheets[0])
             held = sheet.container
             if held is not None and boxes[id(one)] == boxes[id(held)] and _is_copy(one, held):
                 sheet.copies.append(one)
@@ -158,15 +165,6 @@ def _holds(sheet: _Spread, box: _Spread) -> bool:
     left, low, right, high = sheet
     west, south, east, north = box
     return 2 * left <= west + east <= 2 * right and 2 * low <= south + north <= 2 * high
-
-
-def _find_sheet(box: _Spread, sheets: Sequence[Sheet], boxes: dict[int, _Spread]) -> Sheet:
-    """Find the sheet that contains the center of a box, else one that meets it, else the first."""
-    for test in (_holds, _meet):
-        for sheet in sheets:
-            if test(boxes[id(sheet.container)], box):
-                return sheet
-    return sheets[0]
 
 
 def _list_candidates(largest: Sequence[Candidate], boxes: dict[int, _Spread]) -> str:

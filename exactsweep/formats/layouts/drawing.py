@@ -8,12 +8,12 @@ from functools import partial
 from typing import Literal
 
 from exactsweep.formats.candidate import Candidate
+from exactsweep.formats.choice import get_layer, tell_layer
 from exactsweep.formats.depth import Nested, nest_outlines, tell_ambiguity, tell_place
 from exactsweep.formats.error import FormatError
 from exactsweep.formats.folder import make_unique
-from exactsweep.formats.layers import get_layer, tell_layer
 from exactsweep.formats.layouts.containers import Sheet, find_sheets
-from exactsweep.formats.layouts.found import STANDING, FoundLayout, write_rings
+from exactsweep.formats.layouts.model import STANDING, FoundLayout, write_rings
 from exactsweep.formats.node import Data
 from exactsweep.formats.parsing import parse_by
 from exactsweep.formats.part_list import Said

@@ -5,7 +5,7 @@ from functools import partial
 from exactsweep.formats.candidate import Candidate
 from exactsweep.formats.exact_json import read_number, read_vertices
 from exactsweep.formats.layouts import cgshop, jagua, packingsolver
-from exactsweep.formats.layouts.found import NestingInstance
+from exactsweep.formats.layouts.model import NestingInstance
 from exactsweep.formats.node import Data, JsonNode
 from exactsweep.formats.reading import Reading
 

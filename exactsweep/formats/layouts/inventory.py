@@ -8,12 +8,8 @@ from typing import NamedTuple
 from exactsweep.formats.error import FormatError
 from exactsweep.formats.files import show_path
 from exactsweep.formats.folder import list_parts, make_unique
-from exactsweep.formats.layouts.congruence import (
-    Congruence,
-    find_congruence,
-    find_rounded_congruence,
-)
-from exactsweep.formats.layouts.found import FoundLayout, read_rounded, write_rounded
+from exactsweep.formats.layouts import congruence
+from exactsweep.formats.layouts.model import FoundLayout, read_rounded, write_rounded
 from exactsweep.formats.node import Data, write_ring
 from exactsweep.formats.reading import Reading
 from exactsweep.formats.rounded import RoundedOutline
@@ -39,16 +35,18 @@ class WantedPart(NamedTuple):
         shape = {"exterior": write_ring(self.region.exterior.vertices), "holes": holes}
         return shape | ({"error": format_fraction(self.error)} if self.error else {})
 
-    def find_map(self, part: Data) -> Congruence | None:
+    def find_map(self, part: Data) -> congruence.Congruence | None:
         """Find the map to a Layout JSON part; None if they are not congruent."""
         if len(part.get("pieces", ())) > 1:
             return None
         drawn = read_rounded(part)
         if self.rounded is not None and drawn is not None:
-            return find_rounded_congruence(self.rounded, drawn)
+            return congruence.find_rounded_congruence(self.rounded, drawn)
         if drawn is not None:
             return None
-        return find_congruence(self.region, Region(part["exterior"], part.get("holes", [])))
+        return congruence.find_congruence(
+            self.region, Region(part["exterior"], part.get("holes", []))
+        )
 
 
 def read_inventory(path: str, reading: Reading) -> list[WantedPart]:

@@ -20,17 +20,7 @@ from itertools import chain
 from math import nan, pi
 
 from exactsweep.formats.error import FormatError
-from exactsweep.formats.layouts.found import (
-    FilledSheet,
-    FoundLayout,
-    NestingInstance,
-    compare_stock,
-    find_named,
-    list_unknown,
-    make_layouts,
-    require_instance,
-    require_within_strip,
-)
+from exactsweep.formats.layouts import model
 from exactsweep.formats.node import Data, JsonNode, write_box, write_shape
 from exactsweep.numbers.digits import format_fraction
 from exactsweep.numbers.error import quote
@@ -47,12 +37,12 @@ _MOST_TURNS = 65_536
 _NEARLY = Fraction(1, 10_000)  # bounds the error of angles in single precision, in degrees
 
 
-def read_instance(document: JsonNode) -> NestingInstance:
+def read_instance(document: JsonNode) -> model.NestingInstance:
     parts: dict[str, Data] = {}
     containers, stock = {}, {}
-    unchecked = list_unknown([document], *_DOCUMENT)
-    unchecked += list_unknown((document / "items").each(), *_ITEM)
-    unchecked += list_unknown(document.get("bins", []).each(), *_CONTAINER)
+    unchecked = model.list_unknown([document], *_DOCUMENT)
+    unchecked += model.list_unknown((document / "items").each(), *_ITEM)
+    unchecked += model.list_unknown(document.get("bins", []).each(), *_CONTAINER)
     for item in (document / "items").each():
         name = (item / "id").name
         if name in parts:
@@ -60,7 +50,7 @@ def read_instance(document: JsonNode) -> NestingInstance:
         part = {"id": name, **_shape(item / "shape"), "demand": (item / "demand").whole}
         part["mirrored"] = False
         if item.has("orientation"):
-            unchecked += list_unknown([item / "orientation"], "rotation", "reflection_axes")
+            unchecked += model.list_unknown([item / "orientation"], "rotation", "reflection_axes")
             part |= _read_orientation(item / "orientation")
         elif item.has("allowed_orientations"):
             turns = [turn.number for turn in (item / "allowed_orientations").each()]
@@ -81,7 +71,7 @@ def read_instance(document: JsonNode) -> NestingInstance:
     if document.has("min_item_separation"):
         apart = (document / "min_item_separation").number
         rest = {"spacing": apart, "margin": apart}
-    return NestingInstance(
+    return model.NestingInstance(
         "jagua", parts, least, containers, rest, (), tuple(unchecked), height, width, stock
     )
 
@@ -114,19 +104,21 @@ def _read_orientation(orientation: JsonNode) -> Data:
     return found
 
 
-def read_solution(document: JsonNode, known: NestingInstance | None) -> list[FoundLayout]:
+def read_solution(
+    document: JsonNode, known: model.NestingInstance | None
+) -> list[model.FoundLayout]:
     """Read a solution: the document, or its member "solution"."""
-    instance = require_instance(known, "jagua", "items")
+    instance = model.require_instance(known, "jagua", "items")
     solution = document.either("solution")
     containers, used = dict(instance.containers), Counter[str]()
     for one in solution.get("containers", []).each():
         # The solution states the sheets cut from a strip, the instance all others.
         if instance.height is not None:
             sheet = containers[(one / "id").name] = _container(one, [])
-            require_within_strip(sheet, instance, one.path)
+            model.require_within_strip(sheet, instance, one.path)
     if solution.has("layouts"):
         layouts = [*(solution / "layouts").each()]
-        boxes = [find_named(containers, one / "container_id", "container") for one in layouts]
+        boxes = [model.find_named(containers, one / "container_id", "container") for one in layouts]
         used.update((one / "container_id").name for one in layouts)
     elif instance.height is None:
         raise FormatError(f"{solution.path} is a strip of unknown height (--instance)")
@@ -140,12 +132,12 @@ def read_solution(document: JsonNode, known: NestingInstance | None) -> list[Fou
     items = [item for one in layouts for item in (one / "placed_items").each()]
     motions = [item.either("transformation") for item in items]
     unchecked = [
-        *compare_stock(used, instance),
-        *list_unknown([solution], *_SOLUTION),
-        *list_unknown(layouts, *_SOLUTION),
-        *list_unknown([*items, *motions], *_PLACED),
+        *model.compare_stock(used, instance),
+        *model.list_unknown([solution], *_SOLUTION),
+        *model.list_unknown(layouts, *_SOLUTION),
+        *model.list_unknown([*items, *motions], *_PLACED),
     ]
-    return make_layouts([*map(FilledSheet, boxes, placed)], instance, notes, unchecked)
+    return model.make_layouts([*map(model.FilledSheet, boxes, placed)], instance, notes, unchecked)
 
 
 def _placed(layout: JsonNode) -> list[Data]:
@@ -162,7 +154,7 @@ def _placed(layout: JsonNode) -> list[Data]:
     return found
 
 
-def _allow_rounded(instance: NestingInstance, placements: Iterable[Data]) -> Iterator[str]:
+def _allow_rounded(instance: model.NestingInstance, placements: Iterable[Data]) -> Iterator[str]:
     """Allow rotations that equal allowed ones after rounding, and yield notes on them."""
     exact: dict[tuple[str, str], set[Fraction]] = {
         (name, key): {Fraction(turn) % 360 for turn in part[key]}

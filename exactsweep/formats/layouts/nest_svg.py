@@ -21,7 +21,7 @@ from exactsweep.formats.curved.xml import line
 from exactsweep.formats.decimals import DECIMAL, read_decimal
 from exactsweep.formats.depth import nest_candidates
 from exactsweep.formats.error import FormatError
-from exactsweep.formats.layouts.found import FilledSheet, NestingInstance, write_rings
+from exactsweep.formats.layouts.model import FilledSheet, NestingInstance, write_rings
 from exactsweep.formats.node import Data
 from exactsweep.formats.reading import Reading
 from exactsweep.numbers.digits import format_fraction

@@ -14,16 +14,7 @@ from fractions import Fraction
 from exactsweep.formats.curved.affine import make_affine
 from exactsweep.formats.curved.path import draw_circle
 from exactsweep.formats.error import FormatError
-from exactsweep.formats.layouts.found import (
-    STANDING,
-    FilledSheet,
-    FoundLayout,
-    NestingInstance,
-    compare_stock,
-    find_named,
-    list_unknown,
-    make_layouts,
-)
+from exactsweep.formats.layouts import model
 from exactsweep.formats.node import Data, JsonNode, write_box, write_ring, write_shape
 from exactsweep.formats.reading import Reading
 from exactsweep.numbers.digits import format_fraction
@@ -42,13 +33,13 @@ _BIN = (
 )
 
 
-def read_instance(document: JsonNode, reading: Reading) -> NestingInstance:
-    unchecked = list_unknown([document], *_DOCUMENT)
-    unchecked += list_unknown((document / "item_types").each(), *_ITEM)
-    unchecked += list_unknown((document / "bin_types").each(), *_BIN)
+def read_instance(document: JsonNode, reading: Reading) -> model.NestingInstance:
+    unchecked = model.list_unknown([document], *_DOCUMENT)
+    unchecked += model.list_unknown((document / "item_types").each(), *_ITEM)
+    unchecked += model.list_unknown((document / "bin_types").each(), *_BIN)
     optional = document.get("objective", "").name.lower() == "knapsack"
     parameters = document.get("parameters", {})
-    unchecked += list_unknown([parameters], *_PARAMETERS)
+    unchecked += model.list_unknown([parameters], *_PARAMETERS)
     parts, least, containers, stock = {}, {}, {}, {}
     for k, item in enumerate((document / "item_types").each()):
         shapes = [*(item / "shapes").each()] if item.has("shapes") else [item]
@@ -74,39 +65,41 @@ def read_instance(document: JsonNode, reading: Reading) -> NestingInstance:
             shape = _shape(defect, reading)
             apart = defect.get("item_defect_minimum_spacing", "0").number
             defects.append(shape | {"spacing": apart})
-            unchecked += list_unknown([defect], "item_defect_minimum_spacing", "id", *_SHAPE)
+            unchecked += model.list_unknown([defect], "item_defect_minimum_spacing", "id", *_SHAPE)
         containers[str(k)] = container | {"margin": margin.number, "defects": defects}
     rest = {"spacing": parameters.get("item_item_minimum_spacing", "0").number}
-    return NestingInstance(
+    return model.NestingInstance(
         "packingsolver", parts, least, containers, rest, (), tuple(unchecked), stock=stock
     )
 
 
-def read_solution(document: JsonNode, instance: NestingInstance | None) -> list[FoundLayout]:
+def read_solution(
+    document: JsonNode, instance: model.NestingInstance | None
+) -> list[model.FoundLayout]:
     """Read the bins of a solution; without an instance, as drawn."""
     if instance is None or instance.kind != "packingsolver":
         return _read_drawn(document)
     found = []
     used: Counter[str] = Counter()
     for bin in (document / "bins").each():
-        container = dict(find_named(instance.containers, bin / "id", "bin type"))
+        container = dict(model.find_named(instance.containers, bin / "id", "bin type"))
         rest: Data = {"margin": container.pop("margin")}
         if defects := container.pop("defects"):
             rest["defects"] = defects
         placements = []
         for item in (bin / "items").each():
-            find_named(instance.parts, item / "id", "item type")
+            model.find_named(instance.parts, item / "id", "item type")
             x, y, turn = ((item / name).number for name in ("x", "y", "angle"))
             placement = {"part": (item / "id").name, "turn": turn, "move": [x, y]}
             mirrored = item.get("mirror", False).is_true
             placements.append(placement | ({"mirrored": True} if mirrored else {}))
         copies = bin.get("copies", "1").whole
         used[(bin / "id").name] += copies
-        found.append(FilledSheet(container, placements, copies, rest))
-    return make_layouts(found, instance, (), compare_stock(used, instance))
+        found.append(model.FilledSheet(container, placements, copies, rest))
+    return model.make_layouts(found, instance, (), model.compare_stock(used, instance))
 
 
-def _read_drawn(document: JsonNode) -> list[FoundLayout]:
+def _read_drawn(document: JsonNode) -> list[model.FoundLayout]:
     """Read the bins of a solution as drawn; each item is a separate part."""
     parts: dict[str, Data] = {}
     sheets = []
@@ -118,11 +111,13 @@ def _read_drawn(document: JsonNode) -> list[FoundLayout]:
             for shape in (item / "item_shapes").each():
                 name = str(len(parts))
                 parts[name] = {"id": name, **_drawn(shape)}
-                placements.append(STANDING | {"part": name})
+                placements.append(model.STANDING | {"part": name})
         rest = {"defects": defects} if defects else {}
-        sheets.append(FilledSheet(container, placements, rest=rest))
+        sheets.append(model.FilledSheet(container, placements, rest=rest))
     note = "without the instance, items are judged as the solution draws them, rounded"
-    return make_layouts(sheets, NestingInstance("packingsolver", parts, {}, {}, {}, (note,)))
+    return model.make_layouts(
+        sheets, model.NestingInstance("packingsolver", parts, {}, {}, {}, (note,))
+    )
 
 
 def _allowed(item: JsonNode, unchecked: list[str]) -> Data:

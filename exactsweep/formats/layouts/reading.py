@@ -11,14 +11,8 @@ from exactsweep.formats.curved.arc import to_degrees
 from exactsweep.formats.error import FormatError
 from exactsweep.formats.exact_json import parse_json
 from exactsweep.formats.files import read_text, show_path
-from exactsweep.formats.layouts import cgshop, jagua, packingsolver
+from exactsweep.formats.layouts import cgshop, jagua, model, packingsolver
 from exactsweep.formats.layouts.drawing import draw_layouts
-from exactsweep.formats.layouts.found import (
-    FoundLayout,
-    NestingInstance,
-    make_layouts,
-    require_within_strip,
-)
 from exactsweep.formats.layouts.instances import read_instance
 from exactsweep.formats.layouts.inventory import compare_inventory, read_inventory
 from exactsweep.formats.layouts.table import is_table, read_parts, read_table
@@ -56,7 +50,7 @@ def read_layout(path: str, **options: Unpack[LayoutOptions]) -> dict[str, Any]:
 
 
 @explain_type_errors
-def parse_layouts(text: str, **options: Unpack[LayoutOptions]) -> list[FoundLayout]:
+def parse_layouts(text: str, **options: Unpack[LayoutOptions]) -> list[model.FoundLayout]:
     """Read the layouts in a string, like `read_layouts`; the instance is also a string.
 
     Example:
@@ -73,7 +67,7 @@ def parse_layouts(text: str, **options: Unpack[LayoutOptions]) -> list[FoundLayo
 
 
 @explain_type_errors
-def read_layouts(path: str, **options: Unpack[LayoutOptions]) -> list[FoundLayout]:
+def read_layouts(path: str, **options: Unpack[LayoutOptions]) -> list[model.FoundLayout]:
     """Read the layouts in a file, or in standard input.
 
     Args:
@@ -91,7 +85,7 @@ def read_layouts(path: str, **options: Unpack[LayoutOptions]) -> list[FoundLayou
         options: as for `exactsweep.formats.parse_polygons`.
 
     Returns:
-        A list of FoundLayout, one per sheet.
+        A list of model.FoundLayout, one per sheet.
 
     Raises:
         FormatError: not a layout; the message gives the file and the location.
@@ -128,8 +122,12 @@ def read_layouts(path: str, **options: Unpack[LayoutOptions]) -> list[FoundLayou
 
 
 def _read_table(
-    text: str, parts: Mapping[str, Data] | None, known: NestingInstance | None, *, radians: bool
-) -> list[FoundLayout]:
+    text: str,
+    parts: Mapping[str, Data] | None,
+    known: model.NestingInstance | None,
+    *,
+    radians: bool,
+) -> list[model.FoundLayout]:
     """Read a table of placements, with the parts and the only container of an instance."""
     if parts is None:
         parts = {} if known is None else known.parts
@@ -141,7 +139,7 @@ def _read_table(
     return found
 
 
-def _from_radians(found: FoundLayout) -> FoundLayout:
+def _from_radians(found: model.FoundLayout) -> model.FoundLayout:
     """Convert the rotations of placements, and those allowed for parts, to degrees."""
     parts = [
         {
@@ -184,7 +182,7 @@ def _take_options(
     return instance, container, reading
 
 
-def _parse_instance(text: str | None, reading: Reading) -> NestingInstance | None:
+def _parse_instance(text: str | None, reading: Reading) -> model.NestingInstance | None:
     if text is None:
         return None
     return read_instance(JsonNode(parse_json(text)), reading)
@@ -192,10 +190,10 @@ def _parse_instance(text: str | None, reading: Reading) -> NestingInstance | Non
 
 def _parse_each(
     text: str,
-    known: NestingInstance | None,
+    known: model.NestingInstance | None,
     container: _Container,
     reading: Reading,
-) -> list[FoundLayout]:
+) -> list[model.FoundLayout]:
     """Read the layouts in a string, with a `flatten` function for those with curves."""
     found = _parse(text, known, container, reading)
     if container is False:
@@ -215,22 +213,19 @@ def _parse_each(
 
     return [
         one
-        if one.flatten or not _list_curved(one.data)
+        if one.flatten
+        or not any("error" in s for s in (one.data.get("container", {}), *one.data["parts"]))
         else one._replace(flatten=partial(flatten, k))
         for k, one in enumerate(found)
     ]
 
 
-def _list_curved(data: Data) -> list[Data]:
-    return [shape for shape in (data.get("container", {}), *data["parts"]) if "error" in shape]
-
-
 def _parse(
     text: str,
-    known: NestingInstance | None,
+    known: model.NestingInstance | None,
     container: _Container,
     reading: Reading,
-) -> list[FoundLayout]:
+) -> list[model.FoundLayout]:
     first = text.lstrip()[:1]
     if not container and first == "{":
         found = _read_json(JsonNode(parse_json(text)), known, reading)
@@ -249,21 +244,21 @@ def _parse(
             if known is not None:
                 notes += _compare_parts(drawn, known)
                 for sheet in sheets:
-                    require_within_strip(sheet.container, known, "the container")
-            return make_layouts(sheets, known or drawn, notes)
+                    model.require_within_strip(sheet.container, known, "the container")
+            return model.make_layouts(sheets, known or drawn, notes)
     if known is not None:
         raise FormatError("not a solution to an instance")
     return draw_layouts(text, container, reading)
 
 
 def _read_json(
-    document: JsonNode, known: NestingInstance | None, reading: Reading
-) -> list[FoundLayout]:
+    document: JsonNode, known: model.NestingInstance | None, reading: Reading
+) -> list[model.FoundLayout]:
     """Read the layouts of a JSON document; return an empty list for an unknown format."""
     if all(map(document.has, ("parts", "placements"))):
         if known is not None:
             raise FormatError("Layout JSON has its own parts and rules; omit --instance")
-        return [FoundLayout("", _with_counts(document))]
+        return [model.FoundLayout("", _with_counts(document))]
     instance = known or read_instance(document, reading)
     if document.get("type", "").value == "cgshop2024_solution":
         return cgshop.read_solution(document, instance)
@@ -285,7 +280,7 @@ def _with_counts(document: JsonNode) -> Data:
     return {**document.value, "parts": parts}
 
 
-def _compare_parts(drawn: NestingInstance, known: NestingInstance) -> list[str]:
+def _compare_parts(drawn: model.NestingInstance, known: model.NestingInstance) -> list[str]:
     others = []
     for name, part in drawn.parts.items():
         if name not in known.parts:

@@ -24,7 +24,7 @@ from exactsweep.formats.error import FormatError
 from exactsweep.formats.exact_json import parse_json
 from exactsweep.formats.files import read_text
 from exactsweep.formats.folder import list_parts, make_unique
-from exactsweep.formats.layouts.found import FoundLayout, write_rings, write_union
+from exactsweep.formats.layouts.model import FoundLayout, write_rings, write_union
 from exactsweep.formats.node import Data, JsonNode
 from exactsweep.formats.polygons import name_file, split_choice
 from exactsweep.formats.reading import Reading
@@ -36,6 +36,7 @@ from exactsweep.words import count
 _PLACING = {"angle", "radians", "radius"}
 _NUMBERED = re.compile(r"(.+?)[_-]\d+")
 _PREFIX = re.compile(r"[A-Za-z_]+(?=[-+.]*\d)")
+_SHAPE = "id", "exterior", "holes", "pieces", "error"  # without rules
 _TRUE, _FALSE = {"1", "true", "yes"}, {"0", "false", "no", ""}
 
 
@@ -74,7 +75,10 @@ def read_parts(path: str, reading: Reading) -> dict[str, Data]:
         with name_file(path):
             parts = parse_json(text)
             if JsonNode(parts).has("parts"):
-                return {one.name: _drop_rules(part) for one, part in _list_parts(parts)}
+                return {
+                    one.name: {key: part[key] for key in _SHAPE if key in part}
+                    for one, part in _list_parts(parts)
+                }
     listing = list_parts([path], reading.tolerance, **reading.options)
     drawn = [one for one in listing.parts if not one.candidate.ornament]
     names = make_unique([one.name for one in drawn])
@@ -94,10 +98,6 @@ def _list_parts(data: object) -> Iterator[tuple[JsonNode, Data]]:
         name = part / "id"
         if isinstance(part.value, dict):
             yield name, part.value
-
-
-def _drop_rules(part: Data) -> Data:
-    return {key: part[key] for key in ("id", "exterior", "holes", "pieces", "error") if key in part}
 
 
 def read_table(text: str, parts: Mapping[str, Data], *, radians: bool = False) -> list[FoundLayout]:
