@@ -20,7 +20,7 @@ from exactsweep.formats.folder import make_unique
 from exactsweep.formats.rounding import Rounding
 from exactsweep.numbers.digits import format_fraction
 from exactsweep.numbers.error import explain_type_errors, quote
-from exactsweep.numbers.limits import get_max_bytes
+from exactsweep.numbers.limits import Limits, get_limits
 
 CHUNK_PAIRS = 16
 """The number of pairs in a chunk of a small batch."""
@@ -151,7 +151,8 @@ def _make_unique(polygons: Iterable[NamedPolygon | Part]) -> Sequence[Part]:
 
 def _digest_input(work: Work, source: bytes) -> str:
     rounded = "" if work.rounding is None else f"{tuple(work.rounding)} "
-    changed = {name: limit for name, limit in work.limits.items() if limit is not None}
+    usual = Limits()._asdict()
+    changed = {name: n for name, n in work.limits._asdict().items() if n != usual[name]}
     limited = f"{changed} " if changed else ""
     digest = sha256(f"{__version__} {work.what} {rounded}{limited}".encode() + source)
     for part in (*work.generatrices, None, *work.directrices):
@@ -175,4 +176,4 @@ def _lines(path: str) -> Iterator[bytes]:
         with open(path, "rb") as lines:
             for line in split_lines(lines):
                 if line.strip():
-                    yield line if len(line) <= get_max_bytes() else b""
+                    yield line if len(line) <= get_limits().max_bytes else b""

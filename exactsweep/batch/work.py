@@ -17,7 +17,7 @@ from exactsweep.formats.json_polygons import find_candidates
 from exactsweep.formats.rounding import Rounding
 from exactsweep.geometry.region import AnyPolygon
 from exactsweep.numbers.error import prefix_errors, quote
-from exactsweep.numbers.limits import Limits, get_max_mib, limits, list_limits
+from exactsweep.numbers.limits import Limits, get_limits, limits
 from exactsweep.sweep import NoFitPolygon, Sweep, no_fit_polygon, sweep
 from exactsweep.words import suggest
 
@@ -48,7 +48,7 @@ class Work:
     generatrices: Sequence[Part]
     directrices: Sequence[Part]
     rounding: Rounding | None = None
-    limits: Limits = field(default_factory=list_limits)
+    limits: Limits = field(default_factory=get_limits)
 
     def lines(self, chunk: Chunk) -> list[bytes]:
         """Compute the records of a chunk."""
@@ -63,7 +63,7 @@ class Work:
                 names |= {role: part.name for role, part in parts.items()}
                 result = self._result(*(_polygon(part, role) for role, part in parts.items()))
             else:
-                with limits(**self.limits):
+                with limits(**self.limits._asdict()):
                     result = self._read(pair, names)
             return write_result_line(index, names, result, self.what, self.rounding)
         except ValueError as error:
@@ -98,7 +98,7 @@ class Work:
 
     def _read(self, line: bytes, names: Names) -> Sweep | NoFitPolygon:
         if not line:
-            raise FormatError(f"the line has more than {get_max_mib():g} MiB (max_mib)")
+            raise FormatError(f"the line has more than {get_limits().max_mib:g} MiB (max_mib)")
         text = decode_text(line)
         document = parse_json(text)
         if not isinstance(document, dict):

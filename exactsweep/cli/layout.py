@@ -21,7 +21,7 @@ from exactsweep.cli.working import show_bar, working
 from exactsweep.formats import show_path
 from exactsweep.formats.folder import find_files
 from exactsweep.numbers.digits import format_fraction
-from exactsweep.numbers.limits import keep_limits, list_limits
+from exactsweep.numbers.limits import get_limits, set_limits
 from exactsweep.words import count
 
 if TYPE_CHECKING:
@@ -331,7 +331,7 @@ def _judge_all(
     from exactsweep.formats.layouts import read_layouts
     from exactsweep.processes import Pool, count_cores
 
-    pool = Pool(min(workers or count_cores(), len(paths)), keep_limits, list_limits())
+    pool = Pool(min(workers or count_cores(), len(paths)), set_limits, get_limits())
     try:
         jobs = [
             pool.submit(judge_file, path, partial(read_layouts, path, **options), gaps, accept)

@@ -27,7 +27,7 @@ from exactsweep.formats.json_polygons import find_candidates
 from exactsweep.formats.parsing import parse_candidates
 from exactsweep.formats.reading import Options
 from exactsweep.numbers.error import prefix_errors, quote
-from exactsweep.numbers.limits import get_max_bytes
+from exactsweep.numbers.limits import get_limits
 from exactsweep.numbers.number import ORIGIN, Point, PointRings
 from exactsweep.words import suggest
 
@@ -109,7 +109,7 @@ def _read(
 ) -> Iterator[Case]:
     first = b"\n"
     while first.isspace():
-        first = file.readline(get_max_bytes() + 1)
+        first = file.readline(get_limits().max_bytes + 1)
     file.seek(0)
     if _is_pair(first):
         yield from read_lines(

@@ -21,7 +21,7 @@ from exactsweep.geometry.near import bound_points
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.geometry.region import AnyPolygon, Region
 from exactsweep.numbers.error import NumberError
-from exactsweep.numbers.limits import answer_digits
+from exactsweep.numbers.limits import get_limits
 from exactsweep.numbers.number import Point
 from exactsweep.words import count
 
@@ -203,9 +203,10 @@ class Candidate(NamedTuple):
         points = self.vertices()
         numbers = (n for c in chain.from_iterable(points) for n in c.as_integer_ratio())
         longest = max(map(abs, numbers), default=0)
+        most = get_limits().answer_digits
         # A bit is 0.30103 digits, rounded up.
-        if longest.bit_length() * 30_103 > answer_digits() * 100_000:
-            raise NumberError(f"a coordinate has more than {answer_digits()} digits (max_digits)")
+        if longest.bit_length() * 30_103 > most * 100_000:
+            raise NumberError(f"a coordinate has more than {most} digits (max_digits)")
         return points
 
     def _read(self, shape: Callable[[], _PolygonOrRegion]) -> _PolygonOrRegion:

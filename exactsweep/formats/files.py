@@ -10,7 +10,7 @@ from typing import BinaryIO
 from exactsweep.formats.error import FormatError
 from exactsweep.formats.size import require_size
 from exactsweep.numbers.error import ExactSweepError, explain_type_errors, quote
-from exactsweep.numbers.limits import get_max_bytes
+from exactsweep.numbers.limits import get_limits
 
 # The start of a DXF text; possessive, to match blank lines and comments in linear time.
 DXF_SIGN = re.compile(r"(?:\s*+999[^\S\n]*+\n[^\n]*+\n)*+\s*+0[^\S\n]*+\n\s*+SECTION\b")
@@ -33,7 +33,7 @@ def read_text(path: str) -> str:
     try:
         with _open(path) as file:
             # One byte past the limit shows that the file is too large, even for an endless device.
-            data = file.read(get_max_bytes() + 1)
+            data = file.read(get_limits().max_bytes + 1)
     except OSError as error:
         raise FormatError(error.strerror or str(error)) from None
     require_size(len(data))
@@ -110,7 +110,7 @@ def name_failures(path: str, refusal: type[ExactSweepError] = FormatError) -> It
 
 def split_lines(file: BinaryIO) -> Iterator[bytes]:
     """Yield the lines of a file; truncate a line to one byte more than the limit."""
-    most = get_max_bytes()
+    most = get_limits().max_bytes
     while line := file.readline(most + 1):
         yield line
         while len(line) > most and not line.endswith(b"\n"):

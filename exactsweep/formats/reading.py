@@ -12,7 +12,7 @@ from exactsweep.formats.decimals import show_number
 from exactsweep.formats.error import FormatError
 from exactsweep.formats.size import VERTEX, require_count, require_size
 from exactsweep.numbers.error import prefix_errors, quote
-from exactsweep.numbers.limits import get_max_bytes
+from exactsweep.numbers.limits import get_limits
 from exactsweep.numbers.number import to_fraction
 
 MAX_LINES = 20_000  # chords per curve
@@ -127,10 +127,10 @@ class Reading:
                 f"a curve needs {shown} lines at this tolerance, more than {MAX_LINES:,}"
             )
         self.lines += count
-        if self.lines * VERTEX > get_max_bytes():
+        if self.lines * VERTEX > get_limits().max_bytes:
             raise FormatError(
                 f"the curves of the file need {self.lines:,} lines at this tolerance, "
-                f"more than {get_max_bytes() // VERTEX:,} (max_mib)"
+                f"more than {get_limits().max_bytes // VERTEX:,} (max_mib)"
             )
 
     def allow_vertices(self, count: int) -> None:

@@ -3,7 +3,7 @@
 from math import ceil
 
 from exactsweep.formats.error import FormatError
-from exactsweep.numbers.limits import DEFAULT_MIB, get_max_bytes, get_max_mib
+from exactsweep.numbers.limits import DEFAULT_MIB, get_limits
 
 # Bytes charged per vertex, SVG element, DXF entity and rejected element.
 VERTEX, ELEMENT, ENTITY, FAULT = 16, 32, 64, 1600
@@ -26,13 +26,13 @@ def require_text(text: str, vertices: int) -> None:
 
 
 def require_size(size: int, what: str = "") -> None:
-    if size > get_max_bytes():
-        raise FormatError(f"{what}more than {get_max_mib():g} MiB (max_mib)")
+    if size > get_limits().max_bytes:
+        raise FormatError(f"{what}more than {get_limits().max_mib:g} MiB (max_mib)")
 
 
 def require_count(count: int, each: int, what: str) -> None:
-    if count * each > get_max_bytes():
-        raise FormatError(f"more than {get_max_bytes() // each:,} {what} (max_mib)")
+    if count * each > get_limits().max_bytes:
+        raise FormatError(f"more than {get_limits().max_bytes // each:,} {what} (max_mib)")
 
 
 def find_needed_mib(size: int) -> int | None:

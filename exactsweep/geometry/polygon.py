@@ -2,6 +2,7 @@
 
 from collections.abc import Iterable, Sequence
 from fractions import Fraction
+from itertools import chain
 from math import lcm
 from typing import TYPE_CHECKING, Any, Self, cast
 
@@ -19,7 +20,7 @@ from exactsweep.geometry.reading import (
     refuse_number,
     to_lattice,
 )
-from exactsweep.numbers.digits import abridge, write_literals
+from exactsweep.numbers.digits import abridge, write_literal
 from exactsweep.numbers.number import (
     Area,
     Point,
@@ -29,7 +30,7 @@ from exactsweep.numbers.number import (
 if TYPE_CHECKING:
     import sympy
 
-_SHOWN_VERTICES = 8
+_SHOWN_VERTICES, _SHOWN_LENGTH = 8, 26
 
 
 class Polygon(PointSet):
@@ -274,10 +275,10 @@ class Polygon(PointSet):
         return hash(self.vertices)
 
     def __repr__(self) -> str:
-        literals = [write_literals(vertex) for vertex in self.vertices[:_SHOWN_VERTICES]]
-        if len(self) > _SHOWN_VERTICES or None in literals:
+        vertices = [[*map(write_literal, v)] for v in self.vertices[:_SHOWN_VERTICES]]
+        if len(self) > _SHOWN_VERTICES or max(map(len, chain(*vertices))) > _SHOWN_LENGTH:
             return f"<Polygon of {len(self)} vertices: {self}>"
-        return f"Polygon([{', '.join(map(str, literals))}])"
+        return f"Polygon([{', '.join(f'({x}, {y})' for x, y in vertices)}])"
 
     def __str__(self) -> str:
         shown = [f"({', '.join(map(abridge, v))})" for v in self.vertices[:_SHOWN_VERTICES]]

@@ -10,7 +10,7 @@ from typing import Any
 from exactsweep.geometry.canonical import PolygonError
 from exactsweep.geometry.interface import GeoJson, make_line
 from exactsweep.geometry.reading import drop_heights, has_heights, read_vertices
-from exactsweep.numbers.digits import format_fraction, write_int
+from exactsweep.numbers.digits import write_literal
 from exactsweep.numbers.number import Point
 from exactsweep.words import write_pair
 
@@ -84,7 +84,7 @@ class Polyline:
         return make_line([*self.points, *self.points[:1]] if self.closed else self.points)
 
     def __repr__(self) -> str:
-        points = ", ".join(f"({_quote(x)}, {_quote(y)})" for x, y in self.points)
+        points = ", ".join(f"({write_literal(x)}, {write_literal(y)})" for x, y in self.points)
         return f"Polyline([{points}]{', closed=True' if self.closed else ''})"
 
     def __str__(self) -> str:
@@ -105,10 +105,6 @@ def _read_path(points: Iterable[Iterable[object]]) -> Iterable[Iterable[object]]
         raise PolygonError(f"a {interface['type']} without coordinates is not a path")
     found = [coordinates] if interface["type"] == "Point" else [*coordinates]
     return drop_heights(found) if has_heights(found) else found
-
-
-def _quote(value: Fraction) -> str:
-    return write_int(value.numerator) if value.denominator == 1 else repr(format_fraction(value))
 
 
 def _restore(points: tuple[Point, ...], closed: bool) -> Polyline:

@@ -28,9 +28,9 @@ Reading takes up to 130 bytes of memory per byte of text, so the size of texts i
 """
 
 from collections.abc import Iterator
-from contextlib import ExitStack, contextmanager
+from contextlib import contextmanager
 from contextvars import ContextVar
-from typing import TypedDict
+from typing import NamedTuple
 
 from exactsweep.numbers.error import ExactSweepError
 
@@ -40,8 +40,35 @@ DEFAULT_MIB = 16
 
 _MOST_MIB = 2**20
 
-_max_digits: ContextVar[int | None] = ContextVar("max_digits", default=None)
-_max_mib: ContextVar[float | None] = ContextVar("max_mib", default=None)
+
+class Limits(NamedTuple):
+    """The limits on digits, by (1), and on MiB of text."""
+
+    max_digits: int = DEFAULT_DIGITS
+    max_mib: float = DEFAULT_MIB
+
+    @property
+    def answer_digits(self) -> int:
+        """The maximum number of digits of a number written out digit by digit, by (2)."""
+        return 32 * self.max_digits + 7
+
+    @property
+    def max_bytes(self) -> int:
+        """The limit on the size of text in bytes."""
+        return int(self.max_mib * 2**20)
+
+
+_current = ContextVar("limits", default=Limits())  # noqa: B039
+
+
+def get_limits() -> Limits:
+    """Return the limits of the current thread or task."""
+    return _current.get()
+
+
+def set_limits(held: Limits) -> None:
+    """Set the limits of a new process."""
+    _current.set(held)
 
 
 class LimitError(ExactSweepError):
@@ -76,47 +103,9 @@ def limits(*, max_digits: int | None = None, max_mib: float | None = None) -> It
         raise LimitError("max_digits must be an int, at least 1")
     if max_mib is not None and not (type(max_mib) in (int, float) and 0 < max_mib <= _MOST_MIB):
         raise LimitError(f"max_mib must be a number above 0, at most {_MOST_MIB}")
-    with ExitStack() as stack:
-        if max_digits is not None:
-            stack.callback(_max_digits.reset, _max_digits.set(max_digits))
-        if max_mib is not None:
-            stack.callback(_max_mib.reset, _max_mib.set(max_mib))
+    held = get_limits()
+    token = _current.set(Limits(max_digits or held.max_digits, max_mib or held.max_mib))
+    try:
         yield
-
-
-class Limits(TypedDict):
-    """The arguments of `limits`."""
-
-    max_digits: int | None
-    max_mib: float | None
-
-
-def list_limits() -> Limits:
-    """Return the changed limits as arguments of `limits`, for another process."""
-    return {"max_digits": _max_digits.get(), "max_mib": _max_mib.get()}
-
-
-def keep_limits(held: Limits) -> None:
-    """Set the limits of a process to those that `list_limits` returned."""
-    _max_digits.set(held["max_digits"])
-    _max_mib.set(held["max_mib"])
-
-
-def get_max_digits() -> int:
-    """Return the maximum number of digits of a number, by (1)."""
-    return _max_digits.get() or DEFAULT_DIGITS
-
-
-def answer_digits() -> int:
-    """Return the maximum number of digits of a number written out digit by digit, by (2)."""
-    return 32 * get_max_digits() + 7
-
-
-def get_max_mib() -> float:
-    """Return the limit on the size of text in MiB."""
-    return _max_mib.get() or DEFAULT_MIB
-
-
-def get_max_bytes() -> int:
-    """Return the limit on the size of text in bytes."""
-    return int(get_max_mib() * 2**20)
+    finally:
+        _current.reset(token)

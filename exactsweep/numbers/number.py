@@ -7,7 +7,7 @@ import operator
 from collections.abc import Sequence
 from decimal import Decimal
 from fractions import Fraction
-from math import gcd, isqrt
+from math import gcd, isfinite, isqrt
 from typing import NamedTuple
 
 from exactsweep.numbers.digits import abridge, format_rounded, read_ratio, write_int
@@ -24,13 +24,7 @@ class Point(NamedTuple):
 
     def __repr__(self) -> str:
         """Return the standard repr, even for ints of more than 4300 digits."""
-        x, y = (
-            f"Fraction({write_int(c.numerator)}, {write_int(c.denominator)})"
-            if isinstance(c, Fraction)
-            else repr(c)
-            for c in self
-        )
-        return f"Point(x={x}, y={y})"
+        return f"Point(x={_spell(self.x)}, y={_spell(self.y)})"
 
     def __str__(self) -> str:
         """Format the point for display, with long coordinates rounded."""
@@ -58,13 +52,17 @@ class Area(Fraction):
     __slots__ = ()
 
     def __repr__(self) -> str:
-        return f"Fraction({write_int(self.numerator)}, {write_int(self.denominator)})"
+        return _spell(self)
 
     def __format__(self, spec: str) -> str:
         return format_rounded(self, spec) if spec else str(self)
 
     def __reduce__(self) -> tuple[type, tuple[int, int]]:
         return Fraction, (self.numerator, self.denominator)
+
+
+def _spell(value: Fraction) -> str:
+    return f"Fraction({write_int(value.numerator)}, {write_int(value.denominator)})"
 
 
 ORIGIN = Point(Fraction(0), Fraction(0))
@@ -107,31 +105,29 @@ def to_fraction(value: object) -> Fraction:
         return _make_reduced(value, 1)
     if isinstance(value, str):
         return _make_reduced(*read_ratio(value))
-    if isinstance(value, float):
-        return _from_real(value)
-    if isinstance(value, Decimal):
-        if not value.is_finite():
-            raise NumberError(f"{quote(value)} is not a finite number")
+    if isinstance(value, Decimal) and value.is_finite():
         return _make_reduced(*read_ratio(str(value)))
+    if isinstance(value, float) and isfinite(value):
+        return _make_reduced(*value.as_integer_ratio())
     if isinstance(value, bool):
         raise NumberError(f"{value} is a bool, not a number")
-    # In numpy before version 2, bools have `__index__`.
-    if hasattr(value, "__index__") and type(value).__name__ != "bool_":
-        try:
+    kind, exact = "rational", None
+    try:
+        # In numpy before version 2, bools have `__index__`.
+        if hasattr(value, "__index__") and type(value).__name__ != "bool_":
             return Fraction(operator.index(value))
-        except TypeError:
-            raise NumberError(f"{quote(value)} is not a number") from None
-    if isinstance(value, numbers.Rational):
-        try:
+        if isinstance(value, numbers.Rational):
             return Fraction(int(value.numerator), int(value.denominator))
-        except ZeroDivisionError:
-            raise NumberError(f"{quote(value)} has a zero denominator") from None
-        except (TypeError, ValueError):
-            # numpy registers timedelta64 as an integral type.
-            raise NumberError(f"{quote(value)} is not a rational number") from None
-    if isinstance(value, numbers.Real):
-        return _from_real(value)
-    raise NumberError(f"{quote(value)} is not a rational number")
+        if isinstance(value, float | Decimal | numbers.Real):
+            kind = "finite"
+            exact = Fraction(float(value))
+    except (ArithmeticError, TypeError, ValueError):
+        pass
+    if exact is None:
+        raise NumberError(f"{quote(value)} is not a {kind} number")
+    if float(exact) != value:
+        raise NumberError(f"{quote(value)} has no exact value as a float; give it as a fraction")
+    return exact
 
 
 def _make_reduced(numerator: int, denominator: int) -> Fraction:
@@ -167,9 +163,8 @@ def find_root(square: Fraction) -> Fraction | None:
     >>> find_root(Fraction(9, 4)), find_root(Fraction(2))
     (Fraction(3, 2), None)
     """
-    n, d = square.as_integer_ratio()
-    root, below = isqrt(n), isqrt(d)
-    return _make_reduced(root, below) if root * root == n and below * below == d else None
+    root = Fraction(isqrt(square.numerator), isqrt(square.denominator))
+    return root if root * root == square else None
 
 
 def find_simplest_fraction(a: int, b: int, c: int, d: int) -> tuple[int, int]:
@@ -185,14 +180,3 @@ def find_simplest_fraction(a: int, b: int, c: int, d: int) -> tuple[int, int]:
         return 1, whole + 1
     q, p = find_simplest_fraction(d, c - whole * d, b, a - whole * b)
     return p, q + whole * p
-
-
-def _from_real(value: float | numbers.Real) -> Fraction:
-    try:
-        binary = float(value)
-        exact = _make_reduced(*binary.as_integer_ratio())
-    except (OverflowError, ValueError):
-        raise NumberError(f"{quote(value)} is not a finite number") from None
-    if binary != value:
-        raise NumberError(f"{quote(value)} has no exact value as a float; give it as a fraction")
-    return exact

@@ -40,7 +40,7 @@ from exactsweep.draw import Picture, Scale, make_figure
 from exactsweep.formats import NamedPolygon, NamedRegion
 from exactsweep.geometry.region import Region
 from exactsweep.layout import Layout, LayoutPart, Placement
-from exactsweep.numbers.limits import list_limits
+from exactsweep.numbers.limits import get_limits
 
 PACKAGES = ("batch", "check", "conform", "corpus", "draw", "formats", "layout", "lessons", "view")
 UNIT = [(0, 0), (1, 0), (1, 1), (0, 1)]
@@ -328,7 +328,7 @@ def test_wrong_arguments_of_methods_and_shapes_are_rejected() -> None:
     calls: list[tuple[Callable[..., Any], dict[str, Any]]] = [
         (Polygon, {"vertices": UNIT}),
         (Region, {"exterior": UNIT, "holes": ()}),
-        (enter_limits, {**list_limits()}),
+        (enter_limits, get_limits()._asdict()),
         *READERS.values(),
         *((getattr(one, name), given) for one, of in METHODS for name, given in of.items()),
     ]

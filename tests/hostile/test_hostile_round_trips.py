@@ -21,7 +21,7 @@ from exactsweep.corpus import Case
 from exactsweep.corpus.case_json import case_from_json, case_to_json, case_to_line
 from exactsweep.formats import format_polygons, parse_regions
 from exactsweep.numbers.digits import format_fraction
-from exactsweep.numbers.limits import answer_digits
+from exactsweep.numbers.limits import get_limits
 from exactsweep.text.results import certificate_to_json, no_fit_to_json, sweep_to_json
 
 DIGITS = 30
@@ -84,7 +84,7 @@ def test_the_pairs_are_beyond_the_limit() -> None:
     """Without the second rule hardly any of their answers could be read."""
     lengths = [longest(sweep(*parameter.values)) for parameter in PAIRS]  # type: ignore[arg-type]
     with limits(max_digits=DIGITS):
-        assert DIGITS < max(lengths) <= answer_digits()
+        assert DIGITS < max(lengths) <= get_limits().answer_digits
     assert sum(length > 2 * DIGITS for length in lengths) >= 2
     assert max(lengths) > 15 * DIGITS, lengths
 

@@ -4,13 +4,14 @@ The limit is low here, so that the answers to two small polygons are far beyond 
 """
 
 import re
+from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
 from command import run
 from tiers import mostly_long
 
-from exactsweep import Polygon
+from exactsweep import Polygon, limits
 from exactsweep.formats import FORMATS, format_polygons
 from exactsweep.formats.parsing import measure_written
 
@@ -54,16 +55,17 @@ def readers(name: str) -> list[tuple[str, ...]]:
 
 
 @pytest.fixture
-def low_limit(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def low_limit(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[None]:
     monkeypatch.chdir(tmp_path)
-    for module in ("numbers.limits", "formats.size"):
-        monkeypatch.setattr(f"exactsweep.{module}.DEFAULT_MIB", MOST / 2**20)
+    monkeypatch.setattr("exactsweep.formats.size.DEFAULT_MIB", MOST / 2**20)
     parabola = [(k, k * k) for k in range(45)]
     for name, points in (("g", parabola), ("d", [(5 * x, 7 * y) for x, y in parabola])):
         text = format_polygons([Polygon(points)], "json")
         Path(f"{name}.json").write_text(text)
         assert measure_written(text) < MOST
     Path("pair").write_text('{"generatrix": [[0,0],[1,0],[0,1]], "directrix": [[0,0],[1,0],[0,1]]}')
+    with limits(max_mib=MOST / 2**20):
+        yield
 
 
 @pytest.mark.parametrize("name", mostly_long(WRITERS, {*WRITERS} - {"s", "s.cert", "n"}))

@@ -12,7 +12,7 @@ from typing import IO
 
 from exactsweep.conform.judge.verdict import Verdict
 from exactsweep.conform.run.peer import MAX_STDERR
-from exactsweep.numbers.limits import get_max_bytes, get_max_mib
+from exactsweep.numbers.limits import get_limits
 from exactsweep.processes import Started
 
 _CHUNK = 65536
@@ -150,8 +150,8 @@ class Channel:
 
     def _take(self) -> bytes | None:
         end = self._incoming.find(b"\n", self._searched)
-        if (end if end >= 0 else len(self._incoming)) > get_max_bytes():
-            raise LongLineError(f"a line of more than {get_max_mib():g} MiB (max_mib)")
+        if (end if end >= 0 else len(self._incoming)) > get_limits().max_bytes:
+            raise LongLineError(f"a line of more than {get_limits().max_mib:g} MiB (max_mib)")
         if end < 0:
             self._searched = len(self._incoming)
             return None

@@ -15,7 +15,7 @@ from exactsweep.formats import show_path
 from exactsweep.formats.files import name_failures
 from exactsweep.numbers.digits import format_fraction
 from exactsweep.numbers.error import ExactSweepError
-from exactsweep.numbers.limits import get_max_bytes
+from exactsweep.numbers.limits import get_limits
 from exactsweep.processes import lock
 
 FORMAT = "exactsweep conform"
@@ -90,7 +90,7 @@ class Journal:
 
     def _read(self, head: Mapping[str, Any]) -> int:
         """Index earlier outcomes; return the end of the last complete line."""
-        whole, most = 0, get_max_bytes()
+        whole, most = 0, get_limits().max_bytes
         for number, line in enumerate(iter(lambda: self._file.readline(most), b""), start=1):
             is_cut = not line.endswith(b"\n") and len(line) < most
             # A file without a complete line may be no journal.

@@ -13,7 +13,7 @@ from exactsweep.conform.run.process import ProcessPeer, Terms
 from exactsweep.conform.run.protocol import Hello, ProtocolError
 from exactsweep.corpus import Case
 from exactsweep.numbers.error import ExactSweepError, quote
-from exactsweep.numbers.limits import keep_limits, list_limits
+from exactsweep.numbers.limits import get_limits, set_limits
 from exactsweep.processes import Pool
 
 _ENDED = "a judging process ended"
@@ -41,7 +41,7 @@ class Judges:
     def __init__(self, terms: Terms, workers: int = 1) -> None:
         self.complaints: list[str] = []
         try:
-            self._pool = Pool(workers, keep_limits, list_limits())
+            self._pool = Pool(workers, set_limits, get_limits())
         except OSError as error:
             raise JudgeError(f"cannot start a process: {error.strerror or error}") from None
         try:

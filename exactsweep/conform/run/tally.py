@@ -9,7 +9,7 @@ from fractions import Fraction
 from exactsweep.conform.judge.verdict import Verdict
 from exactsweep.conform.run.outcome import Outcome
 from exactsweep.corpus.case import KINDS
-from exactsweep.numbers.limits import get_max_digits, limits
+from exactsweep.numbers.limits import get_limits, limits
 from exactsweep.numbers.number import to_fraction
 
 ALL = "all"
@@ -111,7 +111,7 @@ def read_any_length(text: str) -> Fraction:
         >>> read_any_length("1" + "0" * 200_000) == 10**200_000
         True
     """
-    if len(text) <= get_max_digits():
+    if len(text) <= get_limits().max_digits:
         return to_fraction(text)
     with limits(max_digits=len(text)):
         return to_fraction(text)
