@@ -8,11 +8,7 @@ from exactsweep.cli.export import export, takes_rounding
 from exactsweep.cli.options import PATH, takes_output
 from exactsweep.cli.pair import ReadingOptions, keep_coordinates, takes_reading
 from exactsweep.cli.parts import read_named
-from exactsweep.formats import (
-    FORMATS,
-    FormatError,
-    show_path,
-)
+from exactsweep.formats import FORMATS, FormatError, show_path
 from exactsweep.formats.rounding import Rounding, Side
 from exactsweep.geometry.canonical import PolygonError
 from exactsweep.words import count

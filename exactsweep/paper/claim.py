@@ -17,8 +17,6 @@ Corners = Sequence[tuple[int, int]]
 
 
 class ClaimVerdict(Enum):
-    """The verdict on a claim."""
-
     REPRODUCED = "reproduced"
     CONDITION = "reproduced with a condition"
     SHARPENED = "sharpened"
@@ -28,13 +26,13 @@ class ClaimVerdict(Enum):
     ADDED = "added"
 
     @property
-    def objects(self) -> bool:
+    def contradicts_paper(self) -> bool:
         """Whether the printed statement fails."""
         return self not in (ClaimVerdict.REPRODUCED, ClaimVerdict.SHARPENED, ClaimVerdict.ADDED)
 
 
 class Counterexample(NamedTuple):
-    """A case in which a statement fails; G and D are empty if the case is not a pair."""
+    """A case in which a statement fails, and how it was found; G and D are empty if it has none."""
 
     text: str
     how: str
@@ -43,8 +41,6 @@ class Counterexample(NamedTuple):
 
 
 class Table(NamedTuple):
-    """A table of measured numbers."""
-
     caption: str
     header: Sequence[str]
     rows: Sequence[Sequence[str]]
@@ -54,7 +50,7 @@ class Table(NamedTuple):
 class Evidence:
     """The findings of a check.
 
-    `tried` describes the tested cases, `failure` a counterexample to the corrected statement, and
+    `tried` describes the tested cases, and `failure` a counterexample to the corrected statement;
     `cases` are counterexamples to the printed one. `sampled` is the minimum number of random pairs
     per law, `searched` the number of cases in exhaustive searches.
     """
@@ -74,8 +70,6 @@ Observation = str | Counterexample | Table | Growth | Evidence
 
 @dataclass(frozen=True)
 class Effort:
-    """The seed and the effort of a run."""
-
     seed: int = 1
     quick: bool = False
 
@@ -84,7 +78,7 @@ class Effort:
         return Prng(f"{self.seed} {label}")
 
     def cases(self, count: int) -> int:
-        """Return the number of cases to try: 3 `count`, or `count` / 10 in a quick run."""
+        """Return the number of cases to try: three times `count`, in a quick run a tenth of it."""
         return max(1, count // 10) if self.quick else 3 * count
 
     def sizes(self, first: int = 16, quick: int = 2, full: int = 4) -> list[tuple[int, int]]:
@@ -122,30 +116,30 @@ class Finding(NamedTuple):
     @property
     def disagreement(self) -> str:
         """The conflict between evidence and verdict, or an empty string."""
-        evidence, objected = self.evidence, self.claim.verdict.objects
+        evidence, is_refuted = self.evidence, self.claim.verdict.contradicts_paper
         if evidence.failure:
             return evidence.failure
-        if objected and not evidence.cases:
+        if is_refuted and not evidence.cases:
             return "no counterexample to the printed statement was found"
-        if not objected and evidence.cases:
+        if not is_refuted and evidence.cases:
             return f"the printed statement fails: {evidence.cases[0].text}"
-        named = {kind for kind in self.claim.evidence if kind not in ("case", "cited")}
-        if amiss := sorted(named ^ self._kinds):
-            return f"announced and found evidence differ in: {amiss}"
+        announced = {kind for kind in self.claim.evidence if kind not in ("case", "cited")}
+        if differing := sorted(announced ^ self._kinds):
+            return f"the kinds of evidence announced and found differ in {differing}"
         return ""
 
     @property
     def _kinds(self) -> set[str]:
         found = self.evidence
         units = {series.unit in LIMITS for series in found.growth}
-        given = {
+        present = {
             "proved": bool(self.claim.proof),
             "exhaustive": found.searched > 0,
             "sampled": found.sampled > 0,
             "counted": False in units,
             "measured": True in units,
         }
-        return {kind for kind, is_given in given.items() if is_given}
+        return {kind for kind, is_present in present.items() if is_present}
 
 
 def find_first_failure(failures: Iterable[str]) -> str:
@@ -154,8 +148,10 @@ def find_first_failure(failures: Iterable[str]) -> str:
 
 
 def gather(parts: Iterable[Observation]) -> Evidence:
-    """Combine the observations of a check into one Evidence."""
-    found = [part if isinstance(part, Evidence) else _READ[type(part)](part) for part in parts]
+    """Combine the observations of a check."""
+    found = [
+        part if isinstance(part, Evidence) else _TO_EVIDENCE[type(part)](part) for part in parts
+    ]
     cases, tables, growth = (
         tuple(one for part in found for one in getattr(part, name))
         for name in ("cases", "tables", "growth")
@@ -169,7 +165,7 @@ def gather(parts: Iterable[Observation]) -> Evidence:
     )
 
 
-_READ: dict[type, Callable[[Any], Evidence]] = {
+_TO_EVIDENCE: dict[type, Callable[[Any], Evidence]] = {
     str: lambda text: Evidence(failure=text),
     Counterexample: lambda case: Evidence(cases=(case,)),
     Table: lambda table: Evidence(tables=(table,)),
@@ -178,7 +174,7 @@ _READ: dict[type, Callable[[Any], Evidence]] = {
 
 
 def reproduce(claims: Iterable[Claim], effort: Effort) -> Iterator[Finding]:
-    """Check claims one by one; an exception is a failure.
+    """Check claims one by one; an exception counts as a failure.
 
     >>> from exactsweep.paper.ledger import find
     >>> row, = reproduce([find("Slope")], Effort(quick=True))
@@ -190,5 +186,5 @@ def reproduce(claims: Iterable[Claim], effort: Effort) -> Iterator[Finding]:
         try:
             evidence = gather(claim.check(effort))
         except Exception as error:
-            evidence = Evidence("broken off", f"{type(error).__name__}: {error}")
+            evidence = Evidence("Stopped by an exception.", f"{type(error).__name__}: {error}")
         yield Finding(claim, evidence, process_time() - start)

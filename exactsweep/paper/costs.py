@@ -1,8 +1,7 @@
-"""The claimed cost of each procedure, compared with counts and measurements.
+"""The claimed bounds, compared with counts and measurements at doubling sizes.
 
-Operations and bytes are counted at small sizes. CPU seconds are measured at larger sizes, in full
-runs only. Each bound is tested with both sizes doubled and with only m or n doubled: with m = n,
-an m² term would pass for mn.
+CPU seconds are measured at larger sizes, in full runs only. Each bound is tested with both sizes
+doubled and with only m or n doubled: with m = n, an m² term would pass for mn.
 """
 
 from collections.abc import Callable, Iterable, Iterator
@@ -16,18 +15,11 @@ from exactsweep.paper import kernel
 from exactsweep.paper.claim import Effort, Evidence, Observation, Table
 from exactsweep.paper.counting import PairFamily, count_by, grow
 from exactsweep.paper.functions import clip_to, keep_corners
-from exactsweep.paper.growth import (
-    BOUNDS,
-    LIMITS,
-    M_PLUS_N,
-    Bound,
-    Growth,
-    write_power,
-)
+from exactsweep.paper.growth import BOUNDS, LIMITS, M_PLUS_N, Bound, Growth, write_power
 from exactsweep.paper.pairs import Chains, SweepPair
 from exactsweep.paper.toml import read_toml
 
-DOUBLINGS, QUICK, AGAIN = 5, 3, 3
+DOUBLINGS, QUICK_DOUBLINGS, RETRIES = 5, 3, 3
 UNITS = ("operations", "seconds", "bytes")
 
 Procedure = Callable[[Chains], Iterable[Any]]
@@ -37,14 +29,14 @@ Procedure = Callable[[Chains], Iterable[Any]]
 class Cost:
     """One procedure on one family, with m, n or both doubled.
 
-    `letter` is the procedure as printed, `row` the ledger row with the bound, and `varied` is "m",
+    `printed` is the procedure as printed, `row` the ledger row with the bound, and `varied` is "m",
     "n" or "mn". Sizes start at `first` for operations and bytes, at `timed` for seconds; `fixed` is
     the other size. For `limit` on operations and `slack` on bytes see `Growth`.
     """
 
     procedure: str
     run: Procedure
-    letter: Procedure
+    printed: Procedure
     row: str
     bound: Bound
     family: PairFamily
@@ -56,7 +48,6 @@ class Cost:
     slack: float = LIMITS["bytes"]
 
     def sizes(self, first: int, doublings: int) -> list[tuple[int, int]]:
-        """List the sizes (m, n), starting at `first`."""
         doubled = [first << k for k in range(doublings + 1)]
         return [
             (x if "m" in self.varied else self.fixed, x if "n" in self.varied else self.fixed)
@@ -64,44 +55,42 @@ class Cost:
         ]
 
     def _doublings(self, effort: Effort, quick: int) -> int:
-        """Return the number of doublings; quick runs reduce it except for linear procedures."""
+        """Return the number of doublings, which quick runs reduce except for linear procedures."""
         return quick if effort.quick and self.bound is not M_PLUS_N else DOUBLINGS
 
     def grow(self, unit: str, sizes: Iterable[tuple[int, int]], limit: float = 1.08) -> Growth:
-        """Count or measure the procedure at some sizes."""
         what, count = f"{unit} of {self.procedure}", count_by(unit, self.run)
         return grow(what, self.family, self.bound, sizes, count, limit)
 
     def compare(self) -> Iterator[str]:
-        """Report sizes, of the first three, at which the output differs from the printed procedure.
+        """Compare the output with that of the printed procedure at the three smallest sizes.
 
-        The printed procedure is Sweep_MM for all classes: a convex chain is one part.
+        For all classes, that is Sweep_MM as printed: a convex chain is a single part.
         """
         for m, n in self.sizes(self.first, 2):
             chains = SweepPair(*self.family(m, n)).chains
-            found, letter = keep_corners(self.run(chains)), keep_corners(self.letter(chains))
-            if found != clip_to(letter, found):
+            found, printed = keep_corners(self.run(chains)), keep_corners(self.printed(chains))
+            if found != clip_to(printed, found):
                 yield f"{self.procedure} is wrong on {self.family.__name__}, ({m}, {n})"
 
     def time(self) -> Growth:
         """Measure CPU seconds; repeat if they exceed the bound, in case the machine is busy."""
         sizes = self.sizes(self.timed, DOUBLINGS)
         series = self.grow("seconds", sizes)
-        for _ in range(AGAIN):
+        for _ in range(RETRIES):
             if not series.is_flat:
-                series = series.least(self.grow("seconds", sizes))
+                series = series.take_minima(self.grow("seconds", sizes))
         return series
 
     def measure(self, effort: Effort) -> Iterator[Growth]:
-        """Yield the growth of operations and bytes, and in full runs of seconds."""
-        sizes = self.sizes(self.first, self._doublings(effort, QUICK))
+        sizes = self.sizes(self.first, self._doublings(effort, QUICK_DOUBLINGS))
         yield self.grow("operations", sizes, self.limit)
         yield self.grow("bytes", self.sizes(self.first, self._doublings(effort, 2)), self.slack)
         if not effort.quick:
             yield self.time()
 
 
-_BOTH: dict[str, tuple[Procedure, Procedure]] = {
+_PROCEDURES: dict[str, tuple[Procedure, Procedure]] = {
     "Trajectory_CC": (lambda c: kernel.trajectory_cc(*c[::2]), kernel.find_trajectory),
     "SweepI_CC": (lambda c: kernel.sweep_inner_cc(*c[::2]), kernel.find_inner),
     "SweepO_CC": (lambda c: kernel.sweep_outer_cc(*c), kernel.find_outer),
@@ -113,8 +102,8 @@ _BOTH: dict[str, tuple[Procedure, Procedure]] = {
     "Sweep_MM, outer loop": (lambda c: kernel.sweep_mm(*c)[1], kernel.find_outer),
     "Sweep_MM, inner loop": (lambda c: kernel.sweep_mm(*c)[0], kernel.find_inner),
 }
-"""Each procedure, and its printed form."""
-RUNS = {name: run for name, (run, _) in _BOTH.items()}
+"""Each procedure of the kernel, and the same as printed."""
+RUNS = {name: run for name, (run, _) in _PROCEDURES.items()}
 
 
 def _list_costs() -> Iterator[Cost]:
@@ -122,18 +111,14 @@ def _list_costs() -> Iterator[Cost]:
         for name, series in product(group.pop("procedures"), group.pop("series")):
             read = group | series
             read |= {"bound": BOUNDS[read["bound"]], "family": getattr(growing, read["family"])}
-            yield Cost(name, *_BOTH[name], **read)
+            yield Cost(name, *_PROCEDURES[name], **read)
 
 
 COSTS = tuple(_list_costs())
 
 
 def tabulate(growth: Iterable[Growth]) -> Table:
-    """Tabulate claimed and measured exponents by procedure, family and doubled size.
-
-    The last column is "within" if operations, bytes and seconds all stay within the bound, else
-    "beyond".
-    """
+    """Tabulate claimed and measured exponents by procedure, family and doubled size."""
     lines: dict[tuple[str, str, str], dict[str, Growth]] = {}
     for series in growth:
         if series.unit in UNITS:
@@ -142,7 +127,7 @@ def tabulate(growth: Iterable[Growth]) -> Table:
     rows = []
     for (procedure, family, varied), found in lines.items():
         one = next(iter(found.values()))
-        exponents = {unit: write_power(s.exponent(s.judged)) for unit, s in found.items()}
+        exponents = {unit: write_power(s.exponent(s.fitted_sizes)) for unit, s in found.items()}
         verdict = "within" if all(series.is_flat for series in found.values()) else "beyond"
         powers = write_power(one.claimed()), *(exponents.get(unit, "-") for unit in UNITS)
         rows.append([procedure, family, varied, one.bound, *powers, verdict])
@@ -151,7 +136,6 @@ def tabulate(growth: Iterable[Growth]) -> Table:
 
 
 def compare_outputs(procedure: str, effort: Effort) -> Iterator[Observation]:
-    """Compare the output of a procedure with that of the printed one on each family."""
     costs = [c for c in COSTS if c.procedure.partition(",")[0] == procedure]
     m, n = map(max, zip(*(size for c in costs for size in c.sizes(c.first, 2)), strict=True))
     what = "on families, equal to those of the printed procedure"
@@ -161,10 +145,9 @@ def compare_outputs(procedure: str, effort: Effort) -> Iterator[Observation]:
 
 
 def measure_costs(row: str, effort: Effort) -> Iterator[Observation]:
-    """Count and measure everything that the bounds in a ledger row cover."""
-    without = " A quick run skips seconds and large sizes." if effort.quick else ""
+    skipped = " A quick run skips seconds and large sizes." if effort.quick else ""
     measured = "Operations, bytes and seconds are measured over doubling sizes"
-    yield Evidence(f"{measured}, and outputs are compared.{without}")
+    yield Evidence(f"{measured}, and outputs are compared.{skipped}")
     for cost in COSTS:
         if cost.row == row:
             yield from cost.compare()

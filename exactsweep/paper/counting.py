@@ -1,7 +1,6 @@
-"""Integers that count their operations.
+"""Integers that count their operations, so that counts do not depend on the machine.
 
-The kernel accepts any exact rationals, so it runs on these unchanged. The counts do not depend on
-the machine.
+The kernel accepts any exact rationals, so it runs on these unchanged.
 """
 
 import gc
@@ -85,7 +84,7 @@ def make_counted(chain: Iterable[Vertex]) -> list[tuple[Any, Any]]:
 
 @contextmanager
 def watch_operations() -> Iterator[OperationCount]:
-    """Count operations in a `with` block, starting at zero."""
+    """Count operations in a `with` block, from zero."""
     global _tally
     outer, _tally = _tally, OperationCount()
     try:
@@ -117,8 +116,7 @@ class PairFamily(Protocol):
 
     __name__: str
 
-    def __call__(self, m: int, n: int) -> tuple[Ring, Ring]:
-        """Return a pair of rings."""
+    def __call__(self, m: int, n: int) -> tuple[Ring, Ring]: ...
 
 
 def count_chains(pair: SweepPair) -> Chains:
@@ -152,7 +150,7 @@ def seconds(run: Callable[[Chains], Any], chains: Chains) -> float:
 
 
 def peak(run: Callable[[Chains], Any], chains: Chains) -> float:
-    """Measure the peak of memory in bytes, without the input."""
+    """Measure peak memory in bytes, without the input."""
     # A full collection empties the lists of free objects, whose reuse is not traced. Freezing
     # excludes existing objects from it.
     gc.freeze()
@@ -170,11 +168,9 @@ def peak(run: Callable[[Chains], Any], chains: Chains) -> float:
 COUNTERS: dict[str, Callable[[Callable[[Chains], Any], Chains], float]] = {
     function.__name__: function for function in (operations, vertices, seconds)
 } | {"bytes": peak}
-"""The function that counts or measures each quantity."""
 
 
 def count_by(unit: str, run: Callable[[Chains], Iterable[Any]]) -> Callable[[SweepPair], float]:
-    """Return a function that counts or measures a procedure on a pair, in a unit of COUNTERS."""
     return lambda pair: COUNTERS[unit](run, pair.chains)
 
 
@@ -187,7 +183,7 @@ def grow(
     limit: float = 1.08,
     side: str = "upper",
 ) -> Growth:
-    """Count or measure a quantity on the pairs of a family, for comparison with a bound.
+    """Count or measure a quantity on the pairs of a family, and compare it with a bound.
 
     For a bound that depends on more than m and n, pass its name; `count` then returns the count and
     the value of the bound. Each of the sizes (m, n) is about twice the one before. See `Growth` for

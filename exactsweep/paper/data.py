@@ -1,8 +1,4 @@
-"""The findings of a run as data: ledger.json, CSV tables and counterexample files.
-
-`ledger.schema.json` describes ledger.json. A counterexample file holds the polygons G and D, as in
-`exactsweep sweep lemma-5-3.json#G lemma-5-3.json#D`.
-"""
+"""The findings of a run as data: ledger.json, CSV tables and counterexample files."""
 
 import csv
 import json
@@ -36,7 +32,6 @@ def make_slug(text: str) -> str:
 
 
 def describe_environment(effort: Effort) -> dict[str, Any]:
-    """Return the commit, versions, system, processor and seed of a run."""
     return {
         "exactsweep": __version__,
         "commit": _commit(),
@@ -51,7 +46,7 @@ def describe_environment(effort: Effort) -> dict[str, Any]:
 
 
 def _commit() -> str | None:
-    """Return the commit of a checkout, with a + if it is modified; None outside a checkout."""
+    """Return the commit of a checkout, followed by "+" if it is modified; None if not in one."""
     command = ["git", "-C", str(Path(__file__).parent), "describe", "--always", "--dirty=+"]
     try:
         found = subprocess.run(
@@ -122,10 +117,7 @@ def name_cases(name: str, found: Evidence) -> Iterator[tuple[str, Counterexample
 
 
 def write_data(folder: Path, rows: Sequence[Finding], effort: Effort) -> Path:
-    """Write ledger.json, the CSV files and the counterexamples into a folder.
-
-    Returns the path of ledger.json; raises OSError if writing fails.
-    """
+    """Write ledger.json, the CSV files and the counterexamples; return the path of ledger.json."""
     for name in ("tables", "counterexamples"):
         (folder / name).mkdir(parents=True, exist_ok=True)
     for row in rows:

@@ -1,4 +1,4 @@
-"""Chains as functions of x, and comparisons with the definition."""
+"""Chains as functions of x, and comparisons with the loops computed from the definition."""
 
 from bisect import bisect_left
 from collections.abc import Iterable, Iterator, Sequence
@@ -30,7 +30,7 @@ def keep_corners(chain: Iterable[Vertex]) -> list[Vertex]:
 
 
 def evaluate(chain: Sequence[Vertex], x: Fraction) -> Fraction:
-    """Evaluate a left-to-right chain at an x without a vertical edge."""
+    """Evaluate a left-to-right chain at an x that has no vertical edge."""
     k = bisect_left(chain, x, key=itemgetter(0))
     if k == len(chain) or x < chain[0][0]:
         raise ExactSweepError(f"{x} is outside the range of the chain")
@@ -46,24 +46,23 @@ def sample_between(*chains: Sequence[Vertex]) -> Iterator[Fraction]:
 
 
 def reaches(chain: Sequence[Vertex], x: Fraction) -> bool:
-    """Decide whether x is strictly inside the range of a chain."""
     return chain[0][0] < x < chain[-1][0]
 
 
 def list_gaps(first: Sequence[Vertex], second: Sequence[Vertex]) -> list[tuple[Fraction, Fraction]]:
-    """List x and first(x) - second(x) at all vertices in the common range."""
+    """List x and first(x) - second(x) at all vertices in the common x-range."""
     left, right = max(first[0][0], second[0][0]), min(first[-1][0], second[-1][0])
     xs = sorted({Fraction(x) for x, _ in (*first, *second) if left <= x <= right})
     return [(x, evaluate(first, x) - evaluate(second, x)) for x in xs]
 
 
 def find_common_points(first: Sequence[Vertex], second: Sequence[Vertex]) -> list[Fraction]:
-    """List the abscissas, among vertices and ends of the range, at which two chains meet."""
+    """List the vertex abscissas at which two chains meet."""
     return [x for x, gap in list_gaps(first, second) if gap == 0]
 
 
 def clip(chain: Sequence[Vertex], left: Fraction, right: Fraction) -> list[Vertex]:
-    """Clip a chain to a closed x-range without vertical edges at its ends."""
+    """Clip a chain to a closed x-range that has no vertical edges at its ends."""
     inside = [(x, y) for x, y in chain if left < x < right]
     return keep_corners([(left, evaluate(chain, left)), *inside, (right, evaluate(chain, right))])
 
@@ -78,7 +77,7 @@ def take_bottom(loop: Iterable[Vertex]) -> list[Vertex]:
 
 
 def look_up(pair: SweepPair) -> ReferenceLoops:
-    """Return the cached loops of a pair by the definition."""
+    """Return the loops of a pair as computed from the definition, cached."""
     return _reference(tuple(pair.generatrix), tuple(pair.directrix))
 
 
@@ -118,7 +117,7 @@ def compare_boundaries(pair: SweepPair, **loops: Iterable[Vertex]) -> Iterator[s
 
 
 def list_sub_chains(pair: SweepPair) -> tuple[list[list[Vertex]], list[list[Vertex]]]:
-    """Return the sub-trajectories and sub-outer chains of a convex G, one per part of D_b."""
+    """Return the sub-trajectories and the sub-outer chains of a convex G, one per part of D_b."""
     top, bottom, directrix = pair.chains
     parts = find_convex_parts(directrix)
     paths = [trajectory_cc(top, part) for part in parts]
@@ -141,7 +140,7 @@ def explain_unproved(answer: Sweep | NoFitPolygon | InnerFit) -> str:
 
 
 def frame_around(shape: Polygon, part: AnyPolygon) -> Region:
-    """Build a frame around a polygon that leaves room for a part on all sides."""
+    """Build a frame around a polygon at a distance that leaves room for the part."""
     room = sum(high - low for low, high in zip(*part.bounding_box, strict=True)) + 1
     (left, low), (right, high) = shape.bounding_box
     left, low, right, high = left - room, low - room, right + room, high + room

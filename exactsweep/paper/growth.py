@@ -27,27 +27,24 @@ BOUNDS: dict[str, Bound] = {
         ("(m - 6)²(n - 6)²", lambda m, n: float((m - 6) ** 2 * (n - 6) ** 2)),
     )
 }
-"""Bounds by name."""
 M_PLUS_N, MN, MN_LOG = (BOUNDS[name] for name in ("m + n", "mn", "mn log n"))
 
 LIMITS = {"seconds": 0.6, "bytes": 0.5}
 """Maximum excess of a measured exponent over that of the bound.
 
 A missing factor m or n shows as 1. The exponent of seconds uses the three largest sizes, which
-exceed the caches; that of bytes uses all sizes, since ints grow with the coordinates."""
-
+exceed the caches; that of bytes uses all sizes, since ints grow with the coordinates.
+"""
 
 FALL = 0.1
-"""Maximum shortfall of a count's exponent against a bound that it attains.
+"""Maximum shortfall of the exponent of a count that attains its bound.
 
-Over the three largest sizes, a superfluous factor log n in the bound shows as more.
+Over the three largest sizes, a superfluous factor log n in the bound exceeds it.
 """
 
 
 @dataclass(frozen=True)
 class Size:
-    """The count or measurement at one size, and the bound."""
-
     m: int
     n: int
     count: float
@@ -64,11 +61,8 @@ class Growth:
 
     Attributes:
         what: the counted quantity and its procedure, as in "seconds of SweepO_CM".
-        family: the name of the family of pairs.
-        bound: the bound as text.
-        points: the counts, by ascending size.
-        limit: from 1 on, the maximum factor by which the ratio may rise in the last doubling; below
-            1, the maximum excess of the exponent over that of the bound. Measured quantities use
+        limit: if at least 1, the factor by which the ratio may rise in the last doubling; if less,
+            the maximum excess of the exponent over that of the bound. Measured quantities use
             `LIMITS` by default.
         side: the kind of bound, "upper", "lower" or "both".
     """
@@ -82,18 +76,16 @@ class Growth:
 
     @property
     def varied(self) -> str:
-        """The doubled size: "m", "n" or "m and n"."""
         first, last = self.points[0], self.points[-1]
         return " and ".join(x for x in "mn" if getattr(first, x) != getattr(last, x))
 
     @property
     def unit(self) -> str:
-        """The first word of `what`."""
         return self.what.partition(" ")[0]
 
     @property
-    def judged(self) -> int:
-        """The number of largest sizes to fit the exponent to; 0 for all."""
+    def fitted_sizes(self) -> int:
+        """How many of the largest sizes the exponent is fitted to; 0 means all."""
         return 3 if self.unit == "seconds" else 0
 
     @property
@@ -101,11 +93,11 @@ class Growth:
         return self._ratios[-1] / self._ratios[-2]
 
     def exponent(self, last: int = 0) -> float:
-        """Return the exponent of the count over all sizes, or over the `last` ones."""
+        """Return the exponent of the count over all sizes, or over the last few."""
         return self._exponent([point.count for point in self.points], last)
 
     def claimed(self, last: int = 0) -> float:
-        """Return the exponent of the bound, including its logarithms."""
+        """Return the exponent of the bound; logarithms raise it."""
         return self._exponent([point.bound for point in self.points], last)
 
     @property
@@ -119,8 +111,8 @@ class Growth:
     def _exponent(self, values: Sequence[float], last: int) -> float:
         return fit_exponent(self.sizes[-last:], values[-last:])
 
-    def least(self, other: Self) -> Self:
-        """Return the series with the lesser count of two at each size."""
+    def take_minima(self, other: Self) -> Self:
+        """Return the lesser count of two series at each size."""
         points = (
             min(p, q, key=attrgetter("count"))
             for p, q in zip(self.points, other.points, strict=True)
@@ -135,7 +127,7 @@ class Growth:
         """
         if self.limit < 1 or self.unit in LIMITS:
             margin = self.limit if self.limit < 1 else LIMITS[self.unit]
-            return self._exponent(self._ratios, self.judged) <= margin
+            return self._exponent(self._ratios, self.fitted_sizes) <= margin
         *before, last = self._ratios
         return last <= self.limit * max(before)
 
@@ -146,14 +138,13 @@ class Growth:
 
     @property
     def verdict(self) -> str:
-        """The verdict: "rising", "in proportion" or "below"."""
         if not self.is_flat:
             return "rising"
         return "in proportion" if self.is_attained else "below"
 
     @property
     def failure(self) -> str:
-        """The violation of the bound in words, or an empty string."""
+        """A description of how the count violates the bound, or an empty string."""
         if self.side != "upper" and not self.is_attained:
             return f"{self.what} on {self.family} fall below {self.bound}"
         if self.side == "lower" or self.is_flat:
@@ -171,11 +162,10 @@ def write_power(exponent: float) -> str:
 
 
 def fit_exponent(sizes: Sequence[int], values: Sequence[float]) -> float:
-    """Fit a power law by least squares and return its exponent."""
+    """Return the exponent of a power law fitted by least squares."""
     xs, ys = [log(size) for size in sizes], [log(max(value, 1e-9)) for value in values]
     return linear_regression(xs, ys).slope
 
 
 def double(first: int, doublings: int) -> list[tuple[int, int]]:
-    """List sizes m = n, each twice the one before."""
     return [(first << k, first << k) for k in range(doublings + 1)]

@@ -16,58 +16,57 @@ from exactsweep.procedures.graph import Graph, Piece, VertexContact
 VertexList = list[Vertex]
 
 
-def reverse_top(top: Sequence[Vertex]) -> Chain:
-    """Return the inverse of G_t as a chain."""
+def invert_top(top: Sequence[Vertex]) -> Chain:
     return Chain.of(inverse(top))
 
 
 def trajectory_cc(top: Sequence[Vertex], directrix: Sequence[Vertex]) -> VertexList:
-    return list(cc.trajectory_cc(reverse_top(top), Chain.of(directrix)))
+    return list(cc.trajectory_cc(invert_top(top), Chain.of(directrix)))
 
 
 def sweep_inner_cc(top: Sequence[Vertex], directrix: Sequence[Vertex]) -> VertexList:
-    return cc.sweep_inner_cc(reverse_top(top), Chain.of(directrix)).points
+    return cc.sweep_inner_cc(invert_top(top), Chain.of(directrix)).points
 
 
 def sweep_outer_cc(
     top: Sequence[Vertex], bottom: Sequence[Vertex], directrix: Sequence[Vertex]
 ) -> VertexList:
-    return list(cc.sweep_outer_cc(reverse_top(top), Chain.of(bottom), Chain.of(directrix)))
+    return list(cc.sweep_outer_cc(invert_top(top), Chain.of(bottom), Chain.of(directrix)))
 
 
 def trajectory_cm(top: Sequence[Vertex], directrix: Sequence[Vertex]) -> Graph:
-    return cm.trajectory_cm(reverse_top(top), Chain.of(directrix))
+    return cm.trajectory_cm(invert_top(top), Chain.of(directrix))
 
 
 def sweep_inner_cm(
     top: Sequence[Vertex], directrix: Sequence[Vertex], trajectory: Graph | None = None
 ) -> VertexList:
-    return cm.sweep_inner_cm(reverse_top(top), Chain.of(directrix), trajectory).points
+    return cm.sweep_inner_cm(invert_top(top), Chain.of(directrix), trajectory).points
 
 
 def sweep_outer_cm(
     top: Sequence[Vertex], bottom: Sequence[Vertex], directrix: Sequence[Vertex]
 ) -> Graph:
-    return cm.sweep_outer_cm(reverse_top(top), Chain.of(bottom), Chain.of(directrix))
+    return cm.sweep_outer_cm(invert_top(top), Chain.of(bottom), Chain.of(directrix))
 
 
 def trajectory_mm(top: Sequence[Vertex], directrix: Sequence[Vertex]) -> Graph:
-    return mm.trajectory_mm(reverse_top(top), Chain.of(directrix))
+    return mm.trajectory_mm(invert_top(top), Chain.of(directrix))
 
 
 def sweep_mm(
     top: Sequence[Vertex], bottom: Sequence[Vertex], directrix: Sequence[Vertex]
 ) -> tuple[VertexList, VertexList]:
-    inner, outer = mm.sweep_mm(reverse_top(top), Chain.of(bottom), Chain.of(directrix))
+    inner, outer = mm.sweep_mm(invert_top(top), Chain.of(bottom), Chain.of(directrix))
     return inner.points, outer.points
 
 
 def sweep_inner_mm(
     top: Sequence[Vertex], directrix: Sequence[Vertex], trajectory: Graph
 ) -> VertexList:
-    """Compute the inner boundary of Sweep_MM, in the undercuts only."""
+    """Compute the inner boundary of Sweep_MM by sweeping only the undercuts."""
     path = trajectory.chain()
-    return mm.sweep_inner_mm(reverse_top(top), Chain.of(directrix), trajectory, path).points
+    return mm.sweep_inner_mm(invert_top(top), Chain.of(directrix), trajectory, path).points
 
 
 def find_convex_parts(points: Sequence[Vertex]) -> list[VertexList]:
@@ -80,7 +79,6 @@ def find_convex_parts(points: Sequence[Vertex]) -> list[VertexList]:
 
 
 def require_convex(points: Sequence[Vertex]) -> VertexList:
-    """Return a bottom chain; raise ExactSweepError if it is not convex."""
     first, *others = find_convex_parts(points)
     if others:
         x, y = others[0][0]
@@ -89,7 +87,7 @@ def require_convex(points: Sequence[Vertex]) -> VertexList:
 
 
 def to_graph(points: Sequence[Vertex]) -> Graph:
-    """Convert a bottom chain to a graph, with contacts between one vertex of G and each of D_b."""
+    """Convert a bottom chain to a graph, with contacts between one vertex of G and those of D_b."""
     made = Chain.of(points)
     contacts: list[VertexContact] = [(v, k, 0) for k, v in enumerate(made.vertices)]
     pieces: list[Piece] = [
@@ -111,7 +109,7 @@ def merge_sub_trajectories(chains: Chains) -> Graph:
 
 
 def find_trajectory(chains: Chains) -> VertexList:
-    """Compute the trajectory for any class: the lower envelope of sums of two convex parts."""
+    """Compute the trajectory for any class, as the lower envelope of sums of two convex parts."""
     parts = find_convex_parts(inverse(chains.top)), find_convex_parts(chains.directrix)
     sums = [trajectory_cc(inverse(one), other) for one, other in product(*parts)]
     return list(graph.lower_envelope_mm(list(map(to_graph, sums))))
@@ -132,10 +130,8 @@ def slide_inside(
     container: Sequence[Vertex],
     trajectory: Callable[[Chains], Iterable[Vertex]],
 ) -> VertexList:
-    """Compute the lowest path of a shape that slides along the inside of a bottom chain.
-
-    After a half turn, the shape slides along the complement, which is again a bottom chain.
-    """
-    turned = chain.complement(inverse(container))
-    path = trajectory(Chains(inverse(bottom), [], turned))
+    """Compute the lowest path of a shape that slides along the inside of a bottom chain."""
+    # After a half turn, the complement of the container is again a bottom chain.
+    outside = chain.complement(inverse(container))
+    path = trajectory(Chains(inverse(bottom), [], outside))
     return chain.complement(inverse(path))

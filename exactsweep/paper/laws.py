@@ -1,4 +1,4 @@
-"""Tests of laws on random pairs, and reduction of counterexamples."""
+"""Tests of laws on random pairs, reduction of counterexamples, and searches of tiny grids."""
 
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import suppress
@@ -13,7 +13,8 @@ from exactsweep.paper.claim import Counterexample, Effort, Evidence, find_first_
 from exactsweep.paper.pairs import SweepPair, draw_pairs, list_corners
 from exactsweep.procedures.chain import Chain, inverse, split
 
-MANY = 40
+# For larger pairs, removing vertices one by one would take minutes.
+SHRINK_LIMIT = 40
 KINDS_OF_PAIRS = {
     "": "",
     "weak": " with vertical edges",
@@ -25,24 +26,23 @@ Law = Callable[[SweepPair], Iterable[str]]
 """A function that yields how a pair breaks the law; empty strings are ignored."""
 
 
-def break_law(law: Law, pairs: Iterable[SweepPair]) -> str:
-    """Describe a reduced pair that breaks a law; return an empty string if none does.
+def find_violation(law: Law, pairs: Iterable[SweepPair]) -> str:
+    """Describe a pair that breaks a law, reduced if it is small; return "" if there is none.
 
     >>> law = lambda pair: ["" if len(pair.directrix) < 4 else "four corners"]
     >>> triangle = [(0, 0), (1, 0), (0, 1)]
-    >>> break_law(law, [SweepPair(triangle, [*triangle[:2], (1, 1), (0, 2)])])
+    >>> find_violation(law, [SweepPair(triangle, [*triangle[:2], (1, 1), (0, 2)])])
     'four corners; G = [(0, 0), (1, 0), (0, 1)], D = [(0, 0), (1, 0), (1, 1), (0, 2)]'
     """
     for pair in pairs:
-        if find_wrong(law, pair):
-            # For a large pair, removing vertices one by one would take minutes.
-            least = shrink(law, pair) if sum(map(len, pair)) < MANY else pair
-            return f"{find_wrong(law, least)}; G = {least.generatrix}, D = {least.directrix}"
+        if find_failure(law, pair):
+            least = shrink(law, pair) if sum(map(len, pair)) < SHRINK_LIMIT else pair
+            return f"{find_failure(law, least)}; G = {least.generatrix}, D = {least.directrix}"
     return ""
 
 
-def find_wrong(law: Law, pair: SweepPair) -> str:
-    """Test a law on a pair; an exception is a failure."""
+def find_failure(law: Law, pair: SweepPair) -> str:
+    """Test a law on a pair; an exception counts as a failure."""
     try:
         return find_first_failure(law(pair))
     except Exception as error:
@@ -51,7 +51,7 @@ def find_wrong(law: Law, pair: SweepPair) -> str:
 
 def shrink(law: Law, pair: SweepPair) -> SweepPair:
     """Remove vertices and halve coordinates while the law still fails."""
-    while smaller := next((p for p in _smaller(pair) if find_wrong(law, p)), None):
+    while smaller := next((p for p in _smaller(pair) if find_failure(law, p)), None):
         pair = smaller
     return pair
 
@@ -84,12 +84,8 @@ def _smaller_rings(ring: Ring) -> Iterator[Ring]:
 def try_laws(laws: Iterable[tuple[Law, str]], effort: Effort) -> Evidence:
     """Test laws on random pairs up to the first failure.
 
-    All laws of a run get the same pairs, so that their loops by the definition can be cached.
-
-    Args:
-        laws: each law with its pairs, as in "100 CC, 60 MM weak, 4 MM large". The first line of its
-            docstring states the law.
-        effort: the seed and the number of trials.
+    Each law comes with its pairs, as in "100 CC, 60 MM weak, 4 MM large"; the first line of its
+    docstring states it. All laws share the pairs, so that their reference loops can be cached.
     """
     tried: dict[str, list[str]] = {}
     sampled, failure = [], ""
@@ -97,7 +93,7 @@ def try_laws(laws: Iterable[tuple[Law, str]], effort: Effort) -> Evidence:
         numbers = []
         for number, kind, *how in map(str.split, pairs.split(",")):
             numbers.append(effort.cases(int(number)))
-            failure = failure or break_law(law, draw_pairs(effort, kind, numbers[-1], *how))
+            failure = failure or find_violation(law, draw_pairs(effort, kind, numbers[-1], *how))
             text = (law.__doc__ or "").split("\n")[0]
             drawn = f"{numbers[-1]} {kind}{KINDS_OF_PAIRS[''.join(how)]}"
             tried.setdefault(text, []).append(drawn)
@@ -108,7 +104,7 @@ def try_laws(laws: Iterable[tuple[Law, str]], effort: Effort) -> Evidence:
 
 @cache
 def list_polygons(side: int, vertices: int) -> tuple[tuple[tuple[int, int], ...], ...]:
-    """List all strictly X-monotone polygons with k corners on a grid that touch both axes."""
+    """List the strictly X-monotone polygons with k corners on a grid that touch both axes."""
     found = set()
     for chosen in combinations(sorted(product(range(side + 1), repeat=2)), vertices):
         first, *others, last = chosen
@@ -136,11 +132,10 @@ SHAPES: dict[str, Callable[[Ring], bool]] = {
     "convex": lambda ring: Polygon(ring).is_convex,
     "bent": lambda ring: not Polygon(ring).is_convex,
 }
-"""The shapes that a search may require of G or D."""
 
 
 def list_tiny_pairs(side: int, most: int, generatrix: str, directrix: str) -> Iterator[SweepPair]:
-    """Yield all pairs on a grid, smallest first, up to a total number of vertices."""
+    """Yield the pairs on a grid with up to `most` vertices in total, smallest first."""
     for total in range(6, most + 1):
         pairs = []
         for n in range(3, total - 2):
@@ -162,10 +157,10 @@ def search_grid(
     directrix: str,
     fails: Law,
 ) -> Evidence:
-    """Search a grid with coordinates from 0 to `side` for the first counterexample.
+    """Search a grid with coordinates from 0 to `side` for the smallest counterexample.
 
-    `most` is the maximum number of vertices of both polygons together; `generatrix` and `directrix`
-    are keys of SHAPES; `fails` yields the faults of a pair.
+    `most` limits the number of vertices of both polygons together; `generatrix` and `directrix` are
+    keys of SHAPES; `fails` yields the faults of a pair.
 
     >>> def four_corners(pair):
     ...     if len(pair.generatrix) == 4:
@@ -178,7 +173,6 @@ def search_grid(
 
 
 def search(pairs: Iterable[SweepPair], fails: Law, where: str) -> Evidence:
-    """Search pairs for the first counterexample; `where` describes the pairs."""
     number = 0
     for number, pair in enumerate(pairs, 1):
         if text := find_first_failure(fails(pair)):
@@ -191,6 +185,6 @@ def search(pairs: Iterable[SweepPair], fails: Law, where: str) -> Evidence:
 
 
 def expect_none(convex: Evidence) -> Evidence:
-    """Treat a counterexample among convex polygons as a failure."""
+    """Turn a counterexample among convex polygons into a failure."""
     failures = (f"two convex polygons: {case.text}" for case in convex.cases)
     return replace(convex, failure=find_first_failure(failures), cases=())

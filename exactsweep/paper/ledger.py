@@ -1,4 +1,4 @@
-"""The rows of the ledger, in the order of the paper, and look-up by name."""
+"""The rows of the ledger, in the order of the paper."""
 
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import fields
@@ -14,18 +14,18 @@ from exactsweep.paper.toml import read_toml
 
 MEASURES = {
     "counts": "costs.count_all",
-    "letter": "costs.compare_outputs",
+    "outputs": "costs.compare_outputs",
     "costs": "costs.measure_costs",
 }
 CHECKS, FIGURES = "exactsweep.paper.checks", "exactsweep.paper.figures"
 
 
 class UnknownClaimError(ExactSweepError):
-    """Raised for a name that is not in the ledger."""
+    """A name that is not in the ledger."""
 
 
 def examine(row: Mapping[str, Any], effort: Effort) -> Iterator[Observation]:
-    """Test the laws of a row on random pairs, run its check, and measure its claimed costs."""
+    """Test a row's laws on random pairs, run its searches and checks, and measure its costs."""
     laws = row.get("laws", {}).items()
     yield try_laws(((resolve_name(f"{CHECKS}.{law}"), pairs) for law, pairs in laws), effort)
     for law, side, most, generatrix, directrix, *none in row.get("search", ()):
@@ -68,14 +68,8 @@ def read_rows() -> list[dict[str, Any]]:
 
 
 ABSTRACT = _join(_load()["abstract"])
-"""A summary of the errata."""
-
 KINDS, WEIGHTS = _load()["kinds"], _load()["weights"]
-"""The meaning of each kind of evidence, and of each weight of an erratum."""
-
 OPEN = tuple((question["name"], _join(question["words"])) for question in _load()["open"])
-"""The name and text of each open question."""
-
 CLAIMS: tuple[Claim, ...] = tuple(map(_read, read_rows()))
 _BY_NAME = {claim.name: claim for claim in CLAIMS}
 

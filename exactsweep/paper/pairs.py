@@ -1,9 +1,9 @@
 """Seeded random pairs for the checks, on small integer grids, where features often coincide.
 
-"CC", "CM" and "MM" are the paper's classes. The letter "S" stands for a polygon of any shape,
-which is rarely monotone. Some pairs have a kind: "weak" polygons have vertical edges, at the ends
-and inside chains; "large" ones make the kernel prune; "far" ones have coordinates of 30 digits; in
-"resting" pairs, a long edge of G lies on several teeth of D.
+Besides the paper's classes "CC", "CM" and "MM", the letter "S" stands for a polygon of any shape.
+Some pairs have a kind: "weak" polygons have vertical edges, at the ends and inside chains; "large"
+ones make the kernel prune; "far" ones have coordinates of 30 digits; in "resting" pairs, a long
+edge of G lies on several teeth of D.
 """
 
 from collections.abc import Callable, Iterable, Iterator, Sequence
@@ -45,7 +45,7 @@ def read_pair(rings: Iterable[Iterable[Sequence[int]]]) -> SweepPair:
 
 
 def draw_pair(random: Prng, kind: str, *, strict: bool = True) -> SweepPair:
-    """Draw a pair of a class; D may be scaled up."""
+    """Draw a pair of a class; D may be enlarged."""
     generatrix, directrix = (_draw_ring(random, letter, strict=strict) for letter in kind)
     factor = random.choice([1, 1, 2, 7])
     return SweepPair(
@@ -91,17 +91,13 @@ LARGE: dict[str, tuple[Callable[..., tuple[Ring, Ring]], ...]] = {
 
 
 def draw_large(random: Prng, kind: str) -> SweepPair:
-    """Draw a pair with dozens of vertices from a family of its class."""
     family = random.choice(LARGE[kind])
     m, n = (4 * random.between(6, 16) for _ in "mn")
     return SweepPair(*family(m, n, random.between(0, 10**6)))
 
 
 def draw_pairs(effort: Effort, kind: str, count: int, how: str = "") -> Iterator[SweepPair]:
-    """Draw pairs that depend only on the seed, the class and their number.
-
-    `kind` is the class, and `how` is "weak", "large", "far", "resting" or empty.
-    """
+    """Draw pairs that depend only on the seed, the class, the kind `how` and their number."""
     for number in range(count):
         random = effort.random(f"{kind} {how} {number}")
         if how == "large":

@@ -6,6 +6,9 @@ from collections import Counter
 from collections.abc import Callable, Sequence
 from functools import cache
 from importlib.resources import files
+from importlib.util import find_spec
+from io import BytesIO
+from itertools import cycle
 from pathlib import Path
 from typing import Any
 
@@ -14,10 +17,10 @@ from markupsafe import Markup, escape
 
 from exactsweep import sweep
 from exactsweep.canvas import style
+from exactsweep.canvas.style import PALETTE
 from exactsweep.canvas.svg import Shape, write_svg
 from exactsweep.draw import save
 from exactsweep.geometry.polygon import Polygon
-from exactsweep.paper import plots
 from exactsweep.paper.claim import ClaimVerdict, Counterexample, Effort, Finding
 from exactsweep.paper.costs import tabulate
 from exactsweep.paper.data import describe_environment, make_slug, write_data
@@ -26,18 +29,17 @@ from exactsweep.paper.figures.figure import load
 from exactsweep.paper.growth import LIMITS, Growth, write_power
 from exactsweep.paper.ledger import ABSTRACT, KINDS, OPEN, WEIGHTS
 from exactsweep.paper.pairs import SweepPair
+from exactsweep.paper.toml import read_toml
 from exactsweep.text.template import make_environment
 
 MINUS = "\N{MINUS SIGN}"
 GROWTH = ("what", "family", "m", "n", "divided by", "ratio", "exponent", "of the bound", "found")
-"""The column headings for `growth_row`."""
 
 
 def write(folder: Path, rows: Sequence[Finding], effort: Effort) -> tuple[Path, Path, Path]:
-    """Write report.html, report.md with its pictures, and ledger.json into a folder.
+    """Write report.html, report.md with its pictures, and ledger.json; return the three paths.
 
-    With the same seed, effort and versions, only measurements differ between runs. Returns the
-    three paths; raises OSError if writing fails.
+    With the same seed, effort and versions, only measurements differ between runs.
     """
     folder.mkdir(parents=True, exist_ok=True)
     drawn = _plots(rows)
@@ -58,7 +60,6 @@ def render(
     drawn: dict[str, bytes],
     figures: dict[str, bytes],
 ) -> str:
-    """Render the template "report.html" or "report.md"."""
     shown = [{key: b64encode(svg).decode() for key, svg in d.items()} for d in (drawn, figures)]
     template = _environment(html=name.endswith("html")).get_template(f"{name}.j2")
     text = template.render(
@@ -81,12 +82,11 @@ def count_verdicts(rows: Sequence[Finding]) -> str:
     verdicts = Counter(row.claim.verdict for row in rows)
     counts = ", ".join(f"{verdicts[v]} {v.value}" for v in ClaimVerdict if verdicts[v])
     failing = [row.claim.name for row in rows if row.disagreement]
-    borne_out = f"evidence fails: {', '.join(failing)}" if failing else "all supported"
-    return f"{len(rows)} rows: {counts}; {borne_out}; {sum(row.seconds for row in rows):.0f} s"
+    outcome = f"evidence fails: {', '.join(failing)}" if failing else "all supported"
+    return f"{len(rows)} rows: {counts}; {outcome}; {sum(row.seconds for row in rows):.0f} s"
 
 
 def render_row(row: Finding) -> str:
-    """Render one row as Markdown, for the terminal."""
     template = _environment(html=False).from_string(
         '{% from "row.md.j2" import show %}{{ show(row, {}, {}) }}'
     )
@@ -94,12 +94,12 @@ def render_row(row: Finding) -> str:
 
 
 def _plots(rows: Sequence[Finding]) -> dict[str, bytes]:
-    if not plots.available():
+    if not has_matplotlib():
         return {}
     counted = {
         row.claim.name: [g for g in row.evidence.growth if g.unit not in LIMITS] for row in rows
     }
-    return {name: plots.ratios(growth) for name, growth in counted.items() if growth}
+    return {name: plot_ratios(growth) for name, growth in counted.items() if growth}
 
 
 @cache
@@ -138,7 +138,6 @@ def set_formula(text: str) -> Markup:
 
 
 def cell(text: object) -> str:
-    """Escape the text of a Markdown table cell."""
     return str(text).replace("|", "\\|")
 
 
@@ -168,16 +167,17 @@ def find_alignments(rows: Sequence[Sequence[str]]) -> list[str]:
 
 
 def growth_row(series: Growth) -> list[str]:
-    """Return the cells of a table row: sizes, first and last ratio, exponents, verdict."""
     ends = series.points[0], series.points[-1]
     ranges = [[str(p.m) for p in ends], [str(p.n) for p in ends], [f"{p.ratio:.3g}" for p in ends]]
     m, n, ratio = (" to ".join(dict.fromkeys(values)) for values in ranges)
-    powers = map(write_power, (series.exponent(series.judged), series.claimed(series.judged)))
+    powers = map(
+        write_power, (series.exponent(series.fitted_sizes), series.claimed(series.fitted_sizes))
+    )
     return [series.what, series.family, m, n, series.bound, ratio, *powers, series.verdict]
 
 
 def miss(sampled: int) -> str:
-    """State what a sample of n pairs detects with probability 95%: a fault of 3 in n pairs.
+    """State the fault rate that a sample detects with probability 95%: 3 in n for n pairs.
 
     >>> miss(300)
     '300 pairs per law: a fault of more than one pair in 100 is missed with a probability below 5%.'
@@ -197,13 +197,12 @@ def name_plot(name: str) -> str:
 
 
 def draw_case(case: Counterexample) -> Markup:
-    """Draw the pair of a counterexample; the SVG contains only numbers, so it is safe."""
+    # The SVG contains only numbers, so it needs no escaping.
     pair = SweepPair(list(case.generatrix), list(case.directrix))
     return Markup(pair_svg(pair) if case.generatrix else "")
 
 
 def write_citation(folder: Path) -> list[Path]:
-    """Write CITATION.cff and references.bib into a folder; raises OSError if that fails."""
     folder.mkdir(parents=True, exist_ok=True)
     paths = []
     for name in ("CITATION.cff", "references.bib"):
@@ -234,7 +233,7 @@ def read_bibtex() -> str:
 
 
 def pair_svg(pair: SweepPair) -> str:
-    """Draw D, the trajectory T, and G at one of its vertices as SVG, with a caption."""
+    """Draw D, the trajectory, and G at one of its vertices as SVG, with a caption."""
     g, d = map(Polygon, pair)
     path = sweep(g, d).trajectory
     shapes = (
@@ -242,19 +241,18 @@ def pair_svg(pair: SweepPair) -> str:
         Shape([g.translated(path.vertices[0]).vertices], style.GENERATRIX),
         Shape([path.vertices], style.TRAJECTORY),
     )
-    picture = write_svg(shapes, "D in grey, G in blue, and the path T of G's origin in black")
+    picture = write_svg(shapes, "D in gray, G in blue, and the path T of G's origin in black")
     colors = [shape.look.color for shape in shapes]
     template = _environment(html=True).get_template("pair.svg.j2")
     return template.render(picture=Markup(picture), colors=colors)
 
 
 def write_figures(folder: Path, rows: Sequence[Finding]) -> dict[str, bytes]:
-    """Draw the figures into a folder, as figure-1.svg and figure-1.pdf, if matplotlib is installed.
+    """Write the figures as SVG and PDF if matplotlib is installed; return the SVG by row name.
 
-    Figures whose evidence fails are skipped. Returns the SVG of each figure by row name; raises
-    OSError if writing fails.
+    Figures whose evidence fails are skipped.
     """
-    if not plots.available():
+    if not has_matplotlib():
         return {}
     from matplotlib import rc_context
 
@@ -264,9 +262,53 @@ def write_figures(folder: Path, rows: Sequence[Finding]) -> dict[str, bytes]:
             name, stem = row.claim.figure, make_slug(row.claim.name)
             picture = draw_figure(name, load(name))
             save(picture, str(folder / f"{stem}.pdf"))
-            # Draw letters as outlines, so that the file needs no font.
+            # Draw letters as outlines, so that the SVG needs no font.
             with style.use_style(), rc_context({"svg.fonttype": "path"}):
                 svg = folder / f"{stem}.svg"
                 picture.savefig(svg, metadata={"Date": None}, bbox_inches="tight")
             drawn[row.claim.name] = svg.read_bytes()
     return drawn
+
+
+STYLES = tuple(
+    (color, marker, dash)
+    for dash in ("-", "--")
+    for color, marker in zip(PALETTE, "os^Dv<>", strict=True)
+)
+SETTINGS = read_toml("plots.toml")
+
+
+def has_matplotlib() -> bool:
+    return find_spec("matplotlib") is not None
+
+
+def plot_ratios(growth: Sequence[Growth]) -> bytes:
+    """Plot the ratio of count and bound over size, one line per series, as SVG."""
+    from matplotlib.figure import Figure
+    from matplotlib.style import context
+    from matplotlib.ticker import NullFormatter, NullLocator
+
+    with context(SETTINGS):
+        figure = Figure(figsize=(4.6, 2.2 + 0.16 * len(growth)), layout="constrained")
+        axes = figure.subplots()
+        for series, (color, marker, dash) in zip(growth, cycle(STYLES), strict=False):
+            axes.plot(
+                [max(point.m, point.n) for point in series.points],
+                [point.ratio for point in series.points],
+                color=color,
+                marker=marker,
+                linestyle=dash,
+                label=f"{series.what}, {series.family}, {series.varied}, / ({series.bound})",
+            )
+        sizes = sorted({max(point.m, point.n) for series in growth for point in series.points})
+        axes.set_xscale("log")
+        axes.set_xticks(sizes, [str(size) for size in sizes])
+        axes.xaxis.set_minor_locator(NullLocator())
+        axes.xaxis.set_minor_formatter(NullFormatter())
+        axes.set_ylim(0, 1.1 * max(p.ratio for series in growth for p in series.points))
+        axes.set_xlabel("the greater of m and n")
+        axes.set_ylabel("count / bound")
+        figure.legend(loc="outside lower left", frameon=False)
+        out = BytesIO()
+        figure.savefig(out, format="svg", metadata={"Date": None})
+    return out.getvalue()

@@ -1,4 +1,4 @@
-"""Access to the TOML files of this package."""
+"""The TOML files of this package."""
 
 import tomllib
 from importlib.resources import files

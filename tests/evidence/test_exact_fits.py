@@ -14,7 +14,7 @@ from tiers import examples
 from exactsweep import Point, Polygon, sweep
 from exactsweep.paper.counting import make_counted, watch_operations
 from exactsweep.paper.definition import reference_exact_fits
-from exactsweep.paper.kernel import reverse_top
+from exactsweep.paper.kernel import invert_top
 from exactsweep.procedures.chain import Chain
 from exactsweep.procedures.exact_fit import find_exact_fits
 from exactsweep.procedures.mm import trajectory_mm
@@ -79,7 +79,7 @@ def test_a_long_comb_is_lifted_with_all_above_it() -> None:
     found = []
     for teeth in (50, 100):
         generatrix, directrix = (
-            reverse_top(make_counted(comb(teeth))),
+            invert_top(make_counted(comb(teeth))),
             Chain.of(make_counted(tongue)),
         )
         trajectory = trajectory_mm(generatrix, directrix).chain()
@@ -108,7 +108,7 @@ def test_a_lid_goes_up_a_slot_to_the_limit(
     slot = [("0", 0), ("1", 0), ("1", 9), *ceiling, ("2", 9), ("2", rim), ("4", rim)]
     bottom = [(Fraction(x), y) for x, y in slot]
     hanging, inside = fit
-    generatrix, directrix = reverse_top(top), Chain.of(bottom)
+    generatrix, directrix = invert_top(top), Chain.of(bottom)
     trajectory = trajectory_mm(generatrix, directrix).chain()
     fits = find_exact_fits(generatrix, directrix, trajectory)
     assert fits == [((1, hanging), (1, inside))]
@@ -120,7 +120,7 @@ def test_chains_without_walls_have_but_their_ends_to_compare() -> None:
 
     found = []
     for size in (50, 100):
-        generatrix = reverse_top(make_counted(zigzag(size)[::-1]))
+        generatrix = invert_top(make_counted(zigzag(size)[::-1]))
         directrix = Chain.of(make_counted(zigzag(size)))
         trajectory = trajectory_mm(generatrix, directrix).chain()
         with watch_operations() as tally:

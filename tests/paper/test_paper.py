@@ -28,7 +28,7 @@ from exactsweep.paper.claim import (
 )
 from exactsweep.paper.data import write_data
 from exactsweep.paper.growth import Growth, Size, double
-from exactsweep.paper.laws import break_law, list_polygons, search_grid, shrink, try_laws
+from exactsweep.paper.laws import find_violation, list_polygons, search_grid, shrink, try_laws
 from exactsweep.paper.ledger import CHECKS, CLAIMS, KINDS, find, read_rows
 from exactsweep.paper.pairs import SweepPair, draw_pair, draw_pairs
 from exactsweep.procedures.chain import split
@@ -148,7 +148,7 @@ def test_a_failure_disagrees_with_every_status() -> None:
 def test_a_counterexample_is_expected_where_one_is_announced_and_nowhere_else() -> None:
     against = Evidence("much", cases=(Counterexample("a case", "by chance"),))
     for status in ClaimVerdict:
-        announced = status.objects
+        announced = status.contradicts_paper
         assert bool(row_of(status, Evidence("much")).disagreement) == announced
         assert bool(row_of(status, against).disagreement) != announced
 
@@ -241,7 +241,9 @@ def test_a_law_that_raises_is_broken() -> None:
     def law(pair: SweepPair) -> list[str]:
         raise IndexError("beyond")
 
-    assert break_law(law, [SweepPair(TRIANGLE, TRIANGLE)]).startswith("IndexError: beyond; G = ")
+    assert find_violation(law, [SweepPair(TRIANGLE, TRIANGLE)]).startswith(
+        "IndexError: beyond; G = "
+    )
 
 
 def test_a_trial_keeps_the_first_failure_and_tells_the_laws() -> None:
@@ -299,14 +301,13 @@ def test_measured_growth_is_judged_by_its_exponent() -> None:
 
 def test_of_seconds_that_are_measured_again_the_least_count() -> None:
     slow, fast = series(2, "seconds of f"), series(1, "seconds of f")
-    assert slow.least(fast).points == fast.least(slow).points == fast.points
-    assert not slow.least(slow).is_flat
+    assert slow.take_minima(fast).points == fast.take_minima(slow).points == fast.points
+    assert not slow.take_minima(slow).is_flat
 
 
-def test_laws_and_checks_of_the_ledger_have_docstrings() -> None:
+def test_docstrings_state_the_laws_of_the_ledger() -> None:
     named = {name for row in read_rows() for name in row.get("laws", {})}
     named |= {law for row in read_rows() for law, *_ in row.get("search", ())}
-    named |= {row["check"] for row in read_rows() if "check" in row}
     assert all((resolve_name(f"{CHECKS}.{name}").__doc__ or "").endswith(".") for name in named)
 
 
@@ -319,5 +320,5 @@ def test_a_row_is_sampled_where_it_has_laws(row: dict[str, Any]) -> None:
         == ("against" in row)
         != bool({"check", "laws", "search", "costs", "counts"} & set(row))
     )
-    assert ("weight" in row) == ClaimVerdict(row["verdict"]).objects
+    assert ("weight" in row) == ClaimVerdict(row["verdict"]).contradicts_paper
     assert ("measured" in row["evidence"]) == ("costs" in row)

@@ -12,6 +12,7 @@ import pytest
 from exactsweep import Polygon
 from exactsweep.corpus.generator.growing import edges_over_needles, undercuts_under_ceilings
 from exactsweep.numbers.number import Vertex
+from exactsweep.paper import functions
 from exactsweep.paper.checks import (
     appendix,
     beyond,
@@ -215,7 +216,7 @@ def test_like_chains_that_touch_are_reported_at_the_top_and_at_the_bottom(
     """A bar of height 1 lies along the top, or the bottom, of one of height 2."""
     low, high = ([(0, 0), (4, 0), (5, y), (4, y), (0, y), (-1, y)] for y in (1, 2))
     planted = SimpleNamespace(trajectory=Polygon([place, (9, 9), (-9, 9)]))
-    monkeypatch.setattr(section2, "look_up", lambda pair: planted)
+    monkeypatch.setattr(functions, "look_up", lambda pair: planted)
     reported = [*section2.like_chains_stay_apart(SweepPair(low, high))]
     assert any(text.startswith(f"at {place} two top or") for text in reported) == bool(kind)
 

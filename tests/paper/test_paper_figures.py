@@ -21,7 +21,7 @@ from exactsweep import Point
 from exactsweep.cli import main
 from exactsweep.corpus.generator.prng import Prng
 from exactsweep.draw import save
-from exactsweep.paper import kernel, plots
+from exactsweep.paper import kernel, report
 from exactsweep.paper.claim import Effort, reproduce
 from exactsweep.paper.figures import procedures
 from exactsweep.paper.figures.drawing import Extent, draw_figure, lay_out
@@ -78,7 +78,7 @@ def test_a_broken_law_and_a_position_of_overlap_are_failures() -> None:
         laws=[("edges", 15, 16)], sweeps=[(s, [Point(Fraction(6), Fraction(6))])]
     )
     assert list(wrong.find_failures()) == [
-        "at (6, 6) the verdict on G is OVERLAP",
+        "at (6, 6) the verdict on G is OVERLAP, not CONTACT",
         "edges: 15, not 16",
     ]
 
@@ -176,7 +176,7 @@ def test_one_figure_alone_is_reported_and_drawn(tmp_path: Path) -> None:
 def test_without_matplotlib_figures_are_checked_and_not_drawn(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(plots, "find_spec", lambda name: None)
+    monkeypatch.setattr(report, "find_spec", lambda name: None)
     rows = list(reproduce([find("Figure 2")], Effort()))
     assert rows[0].disagreement == ""
     assert write_figures(tmp_path, rows) == {}

@@ -34,7 +34,7 @@ from exactsweep.paper.checks.section4 import (
     labels_name_the_extremes,
 )
 from exactsweep.paper.checks.section5 import shortcuts_change_nothing
-from exactsweep.paper.checks.segments import (
+from exactsweep.paper.checks.section5_sizes import (
     BEST,
     build_windows,
     build_windows_of_windows,
@@ -52,7 +52,7 @@ from exactsweep.paper.functions import (
     take_bottom,
 )
 from exactsweep.paper.kernel import sweep_mm, to_graph
-from exactsweep.paper.laws import break_law
+from exactsweep.paper.laws import find_violation
 from exactsweep.paper.pairs import SweepPair, draw_pair
 from exactsweep.procedures.graph import merge
 
@@ -222,7 +222,7 @@ def test_a_counterexample_is_made_smaller() -> None:
         return ["a corner"] if (0, 0) in pair.directrix else []
 
     large = [(0, 0), (4, 0), (6, 2), (6, 6), (4, 8), (0, 8)]
-    reported = break_law(has_corner, [SweepPair([(x, y) for x, y in large], large)])
+    reported = find_violation(has_corner, [SweepPair([(x, y) for x, y in large], large)])
     text, g, d = re.split("; G = |, D = ", reported)
     assert (text, g.count("("), d.count("(")) == ("a corner", 3, 3)
 

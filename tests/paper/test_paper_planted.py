@@ -11,7 +11,8 @@ import pytest
 from exactsweep import Point, Polygon, sweep
 from exactsweep.evidence.contact import Contact
 from exactsweep.evidence.steps import Touch
-from exactsweep.paper.checks import appendix, beyond, section1, section2, section4
+from exactsweep.paper import functions
+from exactsweep.paper.checks import appendix, beyond, section1, section2, section4, touching
 from exactsweep.paper.functions import compare_loops
 from exactsweep.paper.pairs import SweepPair
 
@@ -105,8 +106,8 @@ def test_a_sweep_that_starts_elsewhere_is_reported(
     moved = SimpleNamespace(trajectory=sweep(*SQUARES).trajectory.translated((2, 7)))
     monkeypatch.setattr(section2, "sweep", lambda *_: moved)
     assert [*section2.starts_and_stops_at_the_ends(SQUARES)] == [
-        "the sweep starts at (1, 6), with (1, 1) off D's end",
-        "the sweep stops at (5, 6), with (0, 1) off D's end",
+        "the sweep starts at (1, 6), where (1, 1) is off D's end",
+        "the sweep stops at (5, 6), where (0, 1) is off D's end",
     ]
 
 
@@ -115,7 +116,7 @@ def test_contacts_of_two_edges_at_a_time_are_reported(monkeypatch: pytest.Monkey
     step = appendix.list_lower_steps(sweep(*SQUARES))[0]
     middle = Point((step.start.x + step.end.x) / 2, (step.start.y + step.end.y) / 2)
     contacts = Contact("EV", 0, 1), Contact("EV", 1, 2)
-    monkeypatch.setattr(appendix, "touches_are_right", lambda *_: ())
+    monkeypatch.setattr(touching, "touches_are_right", lambda *_: ())
     for ends, is_reported in ((step.end, step.start), True), ((middle, middle), False):
         spans = (step.start, ends[0]), (ends[1], step.end)
         touches = tuple(Touch(c, *span) for c, span in zip(contacts, spans, strict=True))
@@ -144,5 +145,5 @@ def test_holes_that_overlap_are_reported(
     outer, hole = (Polygon([(0, 0), (s, 0), (s, s), (0, s)]) for s in (9, 2))
     found = SimpleNamespace(exterior=outer, holes=(hole, hole.translated((shift, 0))))
     monkeypatch.setattr(beyond, "no_fit_polygon", lambda *_: found)
-    monkeypatch.setattr(beyond, "no_fit_is_the_definition", lambda _: ())
+    monkeypatch.setattr(functions, "no_fit_is_the_definition", lambda _: ())
     assert [*beyond.loops_are_simple(SQUARES)] == ["two holes overlap"] * is_reported

@@ -16,7 +16,7 @@ from mutations import MUTATIONS, mutated
 
 from exactsweep import __version__
 from exactsweep.cli import main
-from exactsweep.paper import plots
+from exactsweep.paper import report
 from exactsweep.paper.claim import (
     Claim,
     ClaimVerdict,
@@ -132,7 +132,7 @@ def test_measurements_are_not_plotted(tmp_path: Path) -> None:
 def test_without_matplotlib_there_are_tables_only(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(plots, "find_spec", lambda name: None)
+    monkeypatch.setattr(report, "find_spec", lambda name: None)
     html, markdown, _ = write(tmp_path, [row("Corollary 3.4")], EFFORT)
     assert "<img" not in html.read_text(encoding="utf-8")
     assert "| m + n |" in markdown.read_text(encoding="utf-8")
@@ -223,6 +223,6 @@ def test_the_environment_names_the_packages_that_are_there() -> None:
 def test_the_plot_of_growth_names_its_lines_and_axes() -> None:
     pytest.importorskip("matplotlib")
     points = tuple(Size(8 << k, 16, 100 << k, 8 << k) for k in range(3))
-    drawn = plots.ratios([Growth("planted", "family", "mn", points)]).decode()
+    drawn = report.plot_ratios([Growth("planted", "family", "mn", points)]).decode()
     for text in ("planted, family, m, / (mn)", "the greater of m and n", "count / bound"):
         assert text in drawn

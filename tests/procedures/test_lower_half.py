@@ -10,7 +10,7 @@ from tiers import mostly_long
 from exactsweep.geometry.vectors import find_hull
 from exactsweep.numbers.number import Rational, Vertex
 from exactsweep.paper.kernel import (
-    reverse_top,
+    invert_top,
     sweep_inner_cm,
     sweep_mm,
     sweep_outer_cm,
@@ -102,7 +102,7 @@ def check(rng: Random, d: Sequence[Vertex], top: Sequence[Vertex], below: Sequen
             x = left + (right - left) * Fraction(rng.randrange(1, 9973), 9973)
             (height,) = found.limits(x)
             assert height == combine(f, g, x, choose), (d, top, below, x)
-    untouched = find_untouched(reverse_top(top[::-1]), Chain.of(d), envelope)
+    untouched = find_untouched(invert_top(top[::-1]), Chain.of(d), envelope)
     gaps = [(Fraction(*left), Fraction(*right)) for _, left, _, right in untouched]
     closed = Function(inner)
     ranges: list[tuple[Rational, Rational]] = [*[(d[0][0], d[-1][0])] * 4, *gaps]

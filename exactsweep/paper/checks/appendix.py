@@ -10,27 +10,12 @@ from exactsweep import Point, Sweep, sweep
 from exactsweep.evidence.contact import Contact
 from exactsweep.evidence.steps import Step, explain
 from exactsweep.numbers.number import Vertex
+from exactsweep.paper import functions
+from exactsweep.paper.checks import touching
 from exactsweep.paper.checks.section3 import slope
 from exactsweep.paper.checks.section4 import lowest
-from exactsweep.paper.checks.touching import (
-    contacts_are_right,
-    lasts,
-    list_moments,
-    touches_are_right,
-)
 from exactsweep.paper.claim import Effort, Evidence, Observation
 from exactsweep.paper.counting import CountedList, count_chains, watch_operations
-from exactsweep.paper.functions import (
-    clip,
-    describe_difference,
-    evaluate,
-    find_common_points,
-    list_edges,
-    list_gaps,
-    list_sub_chains,
-    look_up_bottom,
-    reaches,
-)
 from exactsweep.paper.kernel import find_convex_parts, to_graph, trajectory_cc
 from exactsweep.paper.laws import search_grid
 from exactsweep.paper.pairs import SweepPair
@@ -48,17 +33,19 @@ def list_lower_steps(s: Sweep) -> list[Step]:
 def one_edge_at_a_time(pair: SweepPair) -> Iterator[str]:
     """Simultaneous lasting contacts are EV or EE contacts of one edge of G."""
     s = sweep(*pair)
-    yield from contacts_are_right(s)
+    yield from touching.contacts_are_right(s)
     for step in list_lower_steps(s):
-        yield from touches_are_right(s, step)
-        for t in list_moments(s, step.start, step.end):
-            now = [touch.contact for touch in step.touches if lasts(t, touch.start, touch.end)]
+        yield from touching.touches_are_right(s, step)
+        for t in touching.list_moments(s, step.start, step.end):
+            now = [
+                touch.contact for touch in step.touches if touching.lasts(t, touch.start, touch.end)
+            ]
             if not are_of_one_edge(now):
                 yield f"after ({step.start.x}, {step.start.y}), simultaneous: {_name(now)}"
 
 
 def are_of_one_edge(contacts: Sequence[Contact]) -> bool:
-    """Decide whether all contacts, if several, are EV or EE contacts of the same edge of G."""
+    """Decide whether several contacts are EV or EE contacts of the same edge of G."""
     events, edges = {c.event for c in contacts}, {c.generatrix for c in contacts}
     return len(contacts) < 2 or (len(edges) == 1 and "VE" not in events)
 
@@ -70,45 +57,42 @@ def _name(contacts: Sequence[Contact]) -> str:
 def find_passing_events(effort: Effort) -> Iterator[Observation]:
     """Search for simultaneous events that do not last, and for parallel edges of a convex G."""
 
-    def stuck(pair: SweepPair) -> Iterator[str]:
+    def touches_in_passing(pair: SweepPair) -> Iterator[str]:
         s = sweep(*pair)
         for step in list_lower_steps(s):
             contacts = [c for c in s.contacts_at(step.end) if c.event in ("EV", "VE", "EE")]
             if step.ending == "stop" and not are_of_one_edge(contacts):
                 yield f"at ({step.end.x}, {step.end.y}), in passing: {_name(contacts)}"
 
-    found = search_grid(2, 7, "convex", "any", stuck)
+    found = search_grid(2, 7, "convex", "any", touches_in_passing)
     yield replace(found, cases=())
     both = found.cases, search_grid(2, 7, "convex", "convex", _parallel_edges).cases
     for case, parallel in zip(*both, strict=False):
         yield case._replace(text=f"{case.text}; also, {parallel.text}")
     if not all(both):
-        yield "no passing events, or no parallel edges of a convex G"
+        yield "no events in passing, or no parallel edges of a convex G"
 
 
 def _parallel_edges(pair: SweepPair) -> Iterator[str]:
     ring = pair.generatrix
-    if len({slope(edge) for edge in list_edges(ring)}) < len(ring):
+    if len({slope(edge) for edge in functions.list_edges(ring)}) < len(ring):
         yield f"the convex polygon {ring} has parallel edges"
 
 
 def find_contact_extent(s: Sweep, t: Point, chain: Sequence[Vertex]) -> list[Fraction]:
-    """Return the abscissas of the first and the last contact of G + t with D_b.
-
-    Compares G_t and D_b as functions of x, without the procedures.
-    """
+    """List the abscissas of contacts of G + t with D_b, from G_t and D_b as functions of x."""
     top = [(x + t.x, y + t.y) for x, y in reversed(split(s.generatrix.vertices)[1])]
-    return find_common_points(top, chain)
+    return functions.find_common_points(top, chain)
 
 
 def contact_moves_right(pair: SweepPair) -> Iterator[str]:
     """Both ends of the contact move right; points enter on the right and leave on the left."""
     s, (_, _, directrix) = sweep(*pair), pair.chains
-    yield from contacts_are_right(s)
+    yield from touching.contacts_are_right(s)
     positions: set[Point] = set()
     for step in list_lower_steps(s):
         # Include positions between changes of contact.
-        positions |= {step.start, step.end, *list_moments(s, step.start, step.end)}
+        positions |= {step.start, step.end, *touching.list_moments(s, step.start, step.end)}
     vertices = {x for x, _ in directrix}
     found = [(t, find_contact_extent(s, t, directrix)) for t in sorted(positions)]
     for (_, before), (t, now) in pairwise(found):
@@ -119,7 +103,7 @@ def contact_moves_right(pair: SweepPair) -> Iterator[str]:
             )
         passed = {x for x in now if before[0] <= x <= before[-1]}.difference(before)
         for x in passed & vertices:
-            yield f"at ({t.x}, {t.y}) D_b is touched at the skipped vertex x = {x}"
+            yield f"at ({t.x}, {t.y}) G touches D_b at the vertex x = {x}, which it had passed"
 
 
 def find_contact_moving_left(effort: Effort) -> Iterator[Observation]:
@@ -129,15 +113,12 @@ def find_contact_moving_left(effort: Effort) -> Iterator[Observation]:
     yield "" if found.cases else "no counterexample with a non-convex G"
     for case in found.cases:
         g, d = case.generatrix, case.directrix
-        yield Evidence(f"For the non-convex G = {g} and D = {d} it fails.")
+        yield Evidence(f"The statement fails for the non-convex G = {g} and D = {d}.")
 
 
 def meetings(first: Sequence[Vertex], second: Sequence[Vertex]) -> tuple[str, bool]:
-    """Describe how two chains meet, unless it is in at most one point or segment.
-
-    Also returns whether they meet.
-    """
-    gaps = list_gaps(first, second)
+    """Describe a meeting in more than one point or segment; also return whether two chains meet."""
+    gaps = functions.list_gaps(first, second)
     zeros = [x for x, gap in gaps if gap == 0]
     zeros += [
         x + (y - x) * gap / (gap - other)
@@ -151,14 +132,13 @@ def meetings(first: Sequence[Vertex], second: Sequence[Vertex]) -> tuple[str, bo
         return "", True
     if any(gap != 0 for x, gap in gaps if start <= x <= end):
         return f"the chains meet at {start} and {end}, and separate in between", True
-    if len(clip(first, start, end)) > 2:
+    if len(functions.clip(first, start, end)) > 2:
         return f"the chains share a bend between {start} and {end}", True
     return "", True
 
 
 def partial_meets_once(pair: SweepPair, *, outer: bool, strict: bool) -> Iterator[str]:
-    """The envelope of the first parts meets the next sub-chain in one point or segment."""
-    first, *chains = list_sub_chains(pair)[outer]
+    first, *chains = functions.list_sub_chains(pair)[outer]
     partial = to_graph(first)
     for chain in chains:
         if strict:
@@ -167,8 +147,8 @@ def partial_meets_once(pair: SweepPair, *, outer: bool, strict: bool) -> Iterato
         else:
             yield from crosses_once(list(partial), chain)
         partial = lower_envelope_cm(partial, to_graph(chain))
-    expected = look_up_bottom(pair, "outer" if outer else "trajectory")
-    yield describe_difference("the last envelope", partial, expected)
+    expected = functions.look_up_bottom(pair, "outer" if outer else "trajectory")
+    yield functions.describe_difference("the last envelope", partial, expected)
 
 
 def crosses_once(first: Sequence[Vertex], second: Sequence[Vertex]) -> Iterator[str]:
@@ -177,8 +157,8 @@ def crosses_once(first: Sequence[Vertex], second: Sequence[Vertex]) -> Iterator[
     above = False
     for left, right in pairwise(xs):
         for x in ((3 * left + right) / 4, (left + 3 * right) / 4):
-            if reaches(first, x) and reaches(second, x):
-                gap = evaluate(first, x) - evaluate(second, x)
+            if functions.reaches(first, x) and functions.reaches(second, x):
+                gap = functions.evaluate(first, x) - functions.evaluate(second, x)
                 if above and gap < 0:
                     yield f"the partial trajectory is above the next one, then below it over {x}"
                 above = above or gap > 0
@@ -205,8 +185,7 @@ def sub_outer_chains_cross_once(pair: SweepPair) -> Iterator[str]:
 
 
 def note_chains_apart(effort: Effort) -> Iterator[Observation]:
-    """Show a vertical edge that separates two sub-trajectories, and two sub-outer chains."""
-    for chains in list_sub_chains(AT_A_WALL):
+    for chains in functions.list_sub_chains(AT_A_WALL):
         if all(meetings(*adjacent)[1] for adjacent in pairwise(chains)):
             yield "all chains meet despite a vertical edge"
     yield Evidence(
@@ -217,26 +196,31 @@ def note_chains_apart(effort: Effort) -> Iterator[Observation]:
 
 def lower_envelope_cm_is_right(pair: SweepPair) -> Iterator[str]:
     """LowerEnvelope_CM returns the lower envelope of the first i sub-trajectories."""
-    chains, _ = list_sub_chains(pair)
+    chains, _ = functions.list_sub_chains(pair)
     partial = reduce(lower_envelope_cm, map(to_graph, chains))
     yield lowest("sub-trajectory", chains, list(partial))
-    yield describe_difference("the lower envelope", partial, look_up_bottom(pair, "trajectory"))
+    yield functions.describe_difference(
+        "the lower envelope", partial, functions.look_up_bottom(pair, "trajectory")
+    )
 
 
 def watch_slots(partial: Graph) -> Graph:
-    """Copy an envelope to lists that count slots; the copy itself counts each slot."""
+    """Copy an envelope to lists that count the slots read; the copying itself counts as well."""
     return Graph(CountedList(CountedList(partial.breaks)), CountedList(partial.pieces))
 
 
 def envelope(pair: SweepPair) -> tuple[int, float]:
-    """Count the operations of LowerEnvelope_CM, including slots read in the partial trajectory."""
+    """Count the operations of LowerEnvelope_CM, including slots read in the partial trajectory.
+
+    The bound is the size of the input plus that of the trimmed pieces.
+    """
     top, _, directrix = count_chains(pair)
     with watch_operations() as tally:
         pieces = [to_graph(trajectory_cc(top, part)) for part in find_convex_parts(directrix)]
-        handed_in = sum(len(piece.pieces) for piece in pieces)
+        size = sum(len(piece.pieces) for piece in pieces)
         partial, before = watch_slots(pieces[0]), tally.total
         for piece in pieces[1:]:
             grown = lower_envelope_cm(partial, piece)
             # If the lists are not trimmed in place, they are copies.
             partial = grown if grown.breaks is partial.breaks else watch_slots(grown)
-    return tally.total - before, 2 * handed_in - len(partial.pieces)
+    return tally.total - before, 2 * size - len(partial.pieces)

@@ -5,29 +5,18 @@ from fractions import Fraction
 from itertools import chain, combinations, product
 
 from exactsweep import Point, Polygon, Region, inner_fit_polygon, no_fit_polygon, sweep
-from exactsweep.check import (
-    classify,
-    point_in_polygon,
-)
+from exactsweep.check import classify, point_in_polygon
 from exactsweep.corpus.generator.growing import cm_hard, forks
 from exactsweep.corpus.generator.shapes import Ring
 from exactsweep.geometry.segment import Segment, choose_cover, lay_point, make_segment
 from exactsweep.numbers.number import Edge
-from exactsweep.paper import kernel
+from exactsweep.paper import functions, kernel
 from exactsweep.paper.checks.section1 import SHARE, STEP
-from exactsweep.paper.checks.section2 import CAVE, swept_area_is_the_definition
+from exactsweep.paper.checks.section2 import CAVITY, swept_area_is_the_definition
 from exactsweep.paper.claim import Counterexample, Effort, Evidence, Observation
 from exactsweep.paper.contact_segments import find_contacts
 from exactsweep.paper.costs import count_all
 from exactsweep.paper.counting import count_chains, count_operations, grow, make_counted
-from exactsweep.paper.functions import (
-    describe_difference,
-    explain_unproved,
-    frame_around,
-    list_edges,
-    no_fit_is_the_definition,
-    show_fits,
-)
 from exactsweep.paper.growth import BOUNDS
 from exactsweep.paper.pairs import Chains, SweepPair, read_pair
 from exactsweep.paper.toml import read_toml
@@ -48,7 +37,7 @@ def loops_are_simple(pair: SweepPair) -> Iterator[str]:
     for hole, other in combinations(found.holes, 2):
         if classify(hole, other, (0, 0)).verdict == "OVERLAP":
             yield "two holes overlap"
-    yield from no_fit_is_the_definition(pair)
+    yield from functions.no_fit_is_the_definition(pair)
 
 
 def boundary_is_contact(pair: SweepPair) -> Iterator[str]:
@@ -59,11 +48,11 @@ def boundary_is_contact(pair: SweepPair) -> Iterator[str]:
         yield f"{len(known)} contact segments"
     segments = [make_segment((a, b)) for a, b in known]
     loops = (found.exterior, *found.holes)
-    edges = [edge for loop in loops for edge in list_edges(loop.vertices)]
+    edges = [edge for loop in loops for edge in functions.list_edges(loop.vertices)]
     for edge in (*edges, *found.exact_fits):
         if not covers(segments, edge):
-            yield f"off all contact segments: {show_fits([edge])}"
-    yield from no_fit_is_the_definition(pair)
+            yield f"off all contact segments: {functions.show_fits([edge])}"
+    yield from functions.no_fit_is_the_definition(pair)
 
 
 def covers(known: Iterable[Segment], edge: Edge) -> bool:
@@ -81,10 +70,10 @@ def fits_have_no_room(pair: SweepPair) -> Iterator[str]:
         t = Point(p.x + SHARE * (q.x - p.x), p.y + SHARE * (q.y - p.y))
         steps = _AROUND if p == q else [(p.y - q.y, q.x - p.x), (q.y - p.y, p.x - q.x)]
         near = [(t.x + STEP * x, t.y + STEP * y) for x, y in steps]
-        at, *around = (classify(*pair[::-1], place).verdict for place in (t, *near))
+        at, *around = (classify(*pair[::-1], position).verdict for position in (t, *near))
         if (at, {*around}) != ("CONTACT", {"OVERLAP"}):
             yield f"at ({t.x}, {t.y}) on an exact fit: {at}; next to it: {set(around)}"
-    yield from no_fit_is_the_definition(pair)
+    yield from functions.no_fit_is_the_definition(pair)
 
 
 _AROUND = [(Fraction(x), Fraction(y)) for x, y in product((-2, -1, 0, 1, 2), repeat=2) if x or y]
@@ -98,12 +87,12 @@ def monotone_fits_are_segments(pair: SweepPair) -> Iterator[str]:
 
 
 def find_held_position(effort: Effort) -> Iterator[Observation]:
-    """Show an isolated free position, from which every move leads to an overlap."""
+    """Show an isolated free position, at which every move leads to an overlap."""
     fits = no_fit_polygon(*HELD[::-1]).exact_fits
-    yield Evidence(f"A square in a cave of the same size: {show_fits(fits)}.")
+    yield Evidence(f"A square in a cave of the same size: {functions.show_fits(fits)}.")
     yield from fits_have_no_room(HELD)
     if [p == q for p, q in fits] != [True]:
-        yield f"a square in a cave of the same size: exact fits {show_fits(fits)}"
+        yield f"a square in a cave of the same size: exact fits {functions.show_fits(fits)}"
 
 
 def inner_fit_is_the_definition(pair: SweepPair) -> Iterator[str]:
@@ -113,13 +102,13 @@ def inner_fit_is_the_definition(pair: SweepPair) -> Iterator[str]:
 
 def compare_inner_fits(container: Region | Ring, part: Ring) -> Iterator[str]:
     """Describe how an inner fit differs from the definition."""
-    yield explain_unproved(inner_fit_polygon(container, part))
+    yield functions.explain_unproved(inner_fit_polygon(container, part))
 
 
 def inner_fit_is_in_a_frame(pair: SweepPair) -> Iterator[str]:
     """The inner fit consists of the holes of the no-fit polygon of a frame around the container."""
     container, part = Polygon(_enlarge(pair.directrix)), Polygon(pair.generatrix)
-    frame = frame_around(container, part)
+    frame = functions.frame_around(container, part)
     around = no_fit_polygon(frame, part)
     found = inner_fit_polygon(container, part)
     if around.holes != tuple(region.exterior for region in found.regions):
@@ -139,8 +128,8 @@ def _enlarge(ring: Ring) -> Ring:
 
 
 def find_touching_loops(effort: Effort) -> Iterator[Observation]:
-    """Show touching regions, touching loops of a region, defects and an exact fit."""
-    yield Evidence("Also 5 hand-made cases.")
+    """Test containers with touching regions, touching loops, defects, or an exact fit."""
+    yield Evidence("Also 5 containers made by hand.")
     for case in CONTAINERS:
         container, part = Region(case["exterior"], case["defects"]), case["part"]
         found = inner_fit_polygon(container, part)
@@ -151,25 +140,24 @@ def find_touching_loops(effort: Effort) -> Iterator[Observation]:
         if any(point_in_polygon(p, loop) != 0 for p in case["common"] for loop in loops):
             yield f"a loop is off {case['common']}"
         if len(found.exact_fits) != (not loops):
-            yield f"exact fits {show_fits(found.exact_fits)}"
+            yield f"exact fits {functions.show_fits(found.exact_fits)}"
 
 
 def find_room(effort: Effort) -> Iterator[Observation]:
-    """Show a cave that G can move in."""
-    yield Evidence("Also a cave that G can move in.")
+    yield Evidence("Also a cavity in which G can move.")
     yield from loops_are_simple(ROOM)
     if len(holes := no_fit_polygon(*ROOM[::-1]).holes) != 1:
         yield f"{len(holes)} holes"
 
 
 def find_unswept(effort: Effort) -> Iterator[Observation]:
-    """Show the cave of Theorem 2.2, with one unswept hole, and two such caves back to back."""
-    corners = CAVE.directrix
+    """Show the cavity of Theorem 2.2, with one unswept hole, and two such cavities back to back."""
+    corners = CAVITY.directrix
     twice = [*corners[:1], *((x, -y) for x, y in corners[:1:-1]), *corners[1:]]
     yield Evidence(
-        "Also the cave of Theorem 2.2, with one more loop, and two such caves, with two."
+        "Also the cavity of Theorem 2.2, with one more loop, and two such cavities, with two."
     )
-    for number, pair in enumerate((CAVE, CAVE._replace(directrix=twice)), 1):
+    for number, pair in enumerate((CAVITY, CAVITY._replace(directrix=twice)), 1):
         yield from swept_area_is_the_definition(pair)
         if len(loops := sweep(*pair).unswept) != number:
             yield f"{len(loops)} loops"
@@ -182,7 +170,7 @@ def holes(pair: SweepPair) -> int:
 def count_holes(effort: Effort) -> Iterator[Observation]:
     """Count the holes of no-fit polygons of forks, and compare a small one with the definition."""
     yield Evidence("A family of forks; a small pair is compared with the definition.")
-    yield from no_fit_is_the_definition(SweepPair(*forks(18, 18)))
+    yield from functions.no_fit_is_the_definition(SweepPair(*forks(18, 18)))
     sizes = [(6 + 12 * k, 6 + 12 * k) for k in range(1, 3 if effort.quick else 4)]
     bound = BOUNDS["(m - 6)²(n - 6)²"]
     together = grow("holes of the no-fit polygon", forks, bound, sizes, holes)
@@ -194,12 +182,11 @@ def count_holes(effort: Effort) -> Iterator[Observation]:
 
 
 def segments(pair: SweepPair) -> int:
-    """Count the contact segments after joining them along each line."""
+    """Count the contact segments after merging them along each line."""
     return len(find_contact_segments([pair.directrix], [inverse(pair.generatrix)]))
 
 
 def count_contact_segments(effort: Effort) -> Iterator[Observation]:
-    """Compare the number of contact segments with its bound."""
     yield Evidence("Contact segments are counted.")
     for series in count_all("Contact segments", effort):
         yield series
@@ -208,7 +195,6 @@ def count_contact_segments(effort: Effort) -> Iterator[Observation]:
 
 
 def edges(pair: SweepPair) -> int:
-    """Count the edges of the exterior of the no-fit polygon."""
     return len(no_fit_polygon(*pair[::-1]).exterior)
 
 
@@ -227,7 +213,6 @@ def sum_by_parts(pair: SweepPair) -> int:
 
 
 def sweep_by_parts(pair: SweepPair) -> int:
-    """Count the operations of SweepO_CM as printed."""
     return count_operations(kernel.sweep_outer_cm, *count_chains(pair))
 
 
@@ -238,7 +223,7 @@ def count_convolution(effort: Effort) -> Iterator[Observation]:
     yield from growth
     chains = SweepPair(*cm_hard(32, 32)).chains
     found, expected = kernel.find_outer(chains), kernel.sweep_outer_cm(*chains)
-    yield describe_difference("the sum of T and G", found, expected)
+    yield functions.describe_difference("the sum of T and G", found, expected)
     last, other = summed.points[-1], swept.points[-1]
     yield Counterexample(
         f"for m = n = {last.m}, summing T and G by convex parts takes {last.count:,} operations, "

@@ -10,6 +10,7 @@ from exactsweep.check import classify, point_in_polygon
 from exactsweep.corpus.generator.prng import Prng
 from exactsweep.numbers.number import Vertex
 from exactsweep.paper.claim import Counterexample, Effort, Evidence, Observation, find_first_failure
+from exactsweep.paper.definition import LinearPiece, PiecewiseLinear, min_plus_convolution, mirror
 from exactsweep.paper.functions import (
     compare_loops,
     describe_difference,
@@ -17,16 +18,15 @@ from exactsweep.paper.functions import (
     no_fit_is_the_definition,
     take_bottom,
 )
-from exactsweep.paper.laws import break_law, search_grid, shrink
+from exactsweep.paper.laws import find_violation, search_grid, shrink
 from exactsweep.paper.pairs import SweepPair
-from exactsweep.paper.piecewise import LinearPiece, PiecewiseLinear, min_plus_convolution, mirror
 
-# The tested point of an edge, which is rarely an end of a contact, and the step off the edge.
+# Edges are tested at this share of their length, where a contact rarely ends, and this far off.
 SHARE, STEP = Fraction(5, 17), Fraction(1, 10**9)
 
 
 def edge_positions(s: Sweep) -> Iterator[tuple[Point, Point, Point]]:
-    """For each edge of the trajectory, yield a position on it, one inside T and one outside."""
+    """For each edge of the trajectory, yield positions on it, just inside T and just outside."""
     corners = s.trajectory.vertices
     for (ax, ay), (bx, by) in zip(corners, corners[1:] + corners[:1], strict=True):
         x, y = ax + SHARE * (bx - ax), ay + SHARE * (by - ay)
@@ -48,13 +48,13 @@ def touches_without_overlap(pair: SweepPair) -> Iterator[str]:
 
 
 def find_exact_fit(effort: Effort) -> Iterator[Observation]:
-    """Search for a contact position off the trajectory."""
+    """Search for a contact position that is not on the trajectory."""
 
     def fits(pair: SweepPair) -> Iterator[str]:
         for (ax, ay), (bx, by) in sweep(*pair).exact_fits[:1]:
             middle = (ax + bx) / 2, (ay + by) / 2
             if classify(pair.directrix, pair.generatrix, middle).verdict == "CONTACT":
-                yield f"({middle[0]}, {middle[1]}) is a contact position off the trajectory"
+                yield f"({middle[0]}, {middle[1]}) is a contact position, but not on the trajectory"
 
     slot = SweepPair(
         [(0, 0), (1, 0), (1, 1), (0, 1)],
@@ -66,7 +66,7 @@ def find_exact_fit(effort: Effort) -> Iterator[Observation]:
         yield Counterexample(find_first_failure(fits(least)), how, *least)
     combs = [draw_slots(effort.random(f"slots {k}")) for k in range(effort.cases(20))]
     yield from fits_are_whole(slot)
-    yield break_law(no_fit_is_the_definition, [slot, *combs])
+    yield find_violation(no_fit_is_the_definition, [slot, *combs])
     yield Evidence(f"A slot, and {len(combs)} plates with slots above and below.")
 
 
@@ -99,21 +99,19 @@ def fits_are_whole(pair: SweepPair) -> Iterator[str]:
 
 
 def swept_by_contact(s: Sweep, p: Point) -> bool:
-    """Decide by `classify` alone whether G covers a point from some position on the trajectory.
-
-    That is the case if the inverse of G, placed at the point, meets the trajectory.
-    """
+    """Decide by `classify` alone whether G covers a point from some position on the trajectory."""
+    # It does if the inverse of G, placed at the point, meets the trajectory.
     inverse, path = s.generatrix.reflected(), s.trajectory
     shapes = path, frame_around(path, inverse)
     return all(classify(shape, inverse, p).verdict != "FREE" for shape in shapes)
 
 
 def area_is_covered(pair: SweepPair) -> Iterator[str]:
-    """Of 36 points, the ones that G covers from the trajectory are those between the loops."""
+    """Of 36 points, G covers from the trajectory exactly those between the loops."""
     s = sweep(*pair)
     yield from compare_loops(s, "inner", "outer")
     if s.area != s.outer.area - s.inner.area:
-        yield "the area is not that between the loops"
+        yield "the area differs from that between the loops"
     (left, low), (right, high) = s.outer.bounding_box
     for i, j in product(range(-1, 5), repeat=2):
         p = Point(left + (right - left) * (7 * i + 2) / 29, low + (high - low) * (7 * j + 2) / 29)

@@ -12,18 +12,9 @@ from exactsweep.geometry.canonical import PolygonError
 from exactsweep.geometry.direction import X_AXIS
 from exactsweep.geometry.outline import number_features
 from exactsweep.geometry.region import AnyPolygon
+from exactsweep.paper import functions
 from exactsweep.paper.checks.touching import contacts_are_right, touches_are_right
 from exactsweep.paper.claim import Counterexample, Effort, Evidence, Observation, Table
-from exactsweep.paper.functions import (
-    compare_boundaries,
-    compare_loops,
-    explain_unproved,
-    find_common_points,
-    list_edges,
-    look_up,
-    reaches,
-    take_bottom,
-)
 from exactsweep.paper.laws import expect_none, search, search_grid
 from exactsweep.paper.pairs import SweepPair, draw_pairs, list_corners
 from exactsweep.procedures.chain import split
@@ -32,19 +23,21 @@ from exactsweep.procedures.monotone import MonotoneSolution
 KINDS = ("CC", "CM", "MM")
 
 
-# The mouth of the cave is 1.5 times as wide as G.
-CAVE = SweepPair([(0, 0), (2, 0), (1, 1)], [(0, 0), (9, 0), (6, 4), (8, 1), (1, 1), (3, 4)])
+# The opening of the cavity is 1.5 times as wide as G.
+CAVITY = SweepPair([(0, 0), (2, 0), (1, 1)], [(0, 0), (9, 0), (6, 4), (8, 1), (1, 1), (3, 4)])
 
 
 def like_chains_stay_apart(pair: SweepPair) -> Iterator[str]:
     """Along the trajectory, the two top chains are disjoint, and so are the two bottom chains."""
     (g_bottom, g_top), (d_bottom, d_top) = map(split, pair)
-    for (px, py), (qx, qy) in list_edges(look_up(pair).trajectory):
+    for (px, py), (qx, qy) in functions.list_edges(functions.look_up(pair).trajectory):
         for tx, ty in ((px, py), ((px + qx) / 2, (py + qy) / 2)):
             for g, d in ((g_bottom, d_bottom), (g_top[::-1], d_top[::-1])):
                 placed = [(x + tx, y + ty) for x, y in g]
                 inside = [
-                    x for x in find_common_points(placed, d) if reaches(placed, x) and reaches(d, x)
+                    x
+                    for x in functions.find_common_points(placed, d)
+                    if functions.reaches(placed, x) and functions.reaches(d, x)
                 ]
                 if inside:
                     yield f"at ({tx}, {ty}) two top or two bottom chains touch over {inside[0]}"
@@ -61,7 +54,7 @@ def like_chains_have_no_contact(pair: SweepPair) -> Iterator[str]:
 
 
 def _side(shape: AnyPolygon, letter: str, index: int) -> str:
-    """Return the chain, "bottom" or "top", with a feature in its interior, or else "end"."""
+    """Return the chain that contains a feature in its interior, "bottom" or "top", else "end"."""
     corners, edges = number_features(shape)
     feature = corners[index] if letter == "V" else tuple(corners[k] for k in edges[index])
     for name, side in zip(("bottom", "top"), split(shape.vertices), strict=True):
@@ -72,7 +65,7 @@ def _side(shape: AnyPolygon, letter: str, index: int) -> str:
 
 def swept_area_is_the_definition(pair: SweepPair) -> Iterator[str]:
     """The outer loop, the inner loop and all unswept holes match the definition."""
-    yield explain_unproved(sweep(*pair))
+    yield functions.explain_unproved(sweep(*pair))
 
 
 def is_annulus(pair: SweepPair) -> Iterator[str]:
@@ -83,19 +76,19 @@ def is_annulus(pair: SweepPair) -> Iterator[str]:
 
 
 def find_void(effort: Effort) -> Iterator[Observation]:
-    """Count the loops of a swept area where G enters a cave of D."""
+    """Count the loops of a swept area where G enters a cavity of D."""
     sizes = (10,) if effort.quick else (9, 10, 11)
-    directrix = [(10 * x, 10 * y) for x, y in CAVE.directrix]
-    pairs = [SweepPair([(k * x, k * y) for x, y in CAVE.generatrix], directrix) for k in sizes]
-    yield Evidence("A cave.")
+    directrix = [(10 * x, 10 * y) for x, y in CAVITY.directrix]
+    pairs = [SweepPair([(k * x, k * y) for x, y in CAVITY.generatrix], directrix) for k in sizes]
+    yield Evidence("A cavity.")
     yield from chain.from_iterable(map(swept_area_is_the_definition, pairs))
     if all(len(sweep(*pair).unswept) == 1 for pair in pairs):
         yield Counterexample(
-            "the complement of the swept area has 3 components, not 2: G enters the cave, follows "
-            "its walls and leaves without covering its middle"
+            "the complement of the swept area has 3 components, not 2: G enters the cavity, "
+            "follows its walls and leaves without covering its middle"
             + ("" if effort.quick else "; the same happens if G is a tenth smaller or larger"),
             "by hand",
-            *CAVE,
+            *CAVITY,
         )
 
 
@@ -103,7 +96,7 @@ def boundaries_are_bottom_chains(pair: SweepPair) -> Iterator[str]:
     """The boundaries of a lower sweep are the bottom chains of both loops by the definition."""
     g, d = map(Polygon, pair)
     half, _ = MonotoneSolution(g, d, X_AXIS).halves
-    yield from compare_boundaries(pair, inner=half.inner, outer=half.outer)
+    yield from functions.compare_boundaries(pair, inner=half.inner, outer=half.outer)
 
 
 def halves_are_alike(pair: SweepPair) -> Iterator[str]:
@@ -111,10 +104,10 @@ def halves_are_alike(pair: SweepPair) -> Iterator[str]:
     upside_down = SweepPair(*([(x, -y) for x, y in reversed(ring)] for ring in pair))
     s, other = sweep(*pair), sweep(*upside_down)
     for name in ("trajectory", "inner", "outer"):
-        turned = [(x, -y) for x, y in getattr(other, name).vertices]
-        if Polygon(turned[::-1]) != getattr(s, name):
+        mirrored = [(x, -y) for x, y in getattr(other, name).vertices]
+        if Polygon(mirrored[::-1]) != getattr(s, name):
             yield f"the {name} of the mirrored pair is not the mirrored {name}"
-    yield from compare_loops(s, "trajectory")
+    yield from functions.compare_loops(s, "trajectory")
 
 
 def widths_add_up(pair: SweepPair) -> Iterator[str]:
@@ -122,13 +115,13 @@ def widths_add_up(pair: SweepPair) -> Iterator[str]:
     s = sweep(*pair)
     boxes = (shape.bounding_box for shape in (s.generatrix, s.directrix, s.trajectory))
     g, d, t = (high.x - low.x for low, high in boxes)
-    yield from compare_loops(s, "trajectory")
+    yield from functions.compare_loops(s, "trajectory")
     if g + d != t:
         yield f"the widths of G, D and T are {g}, {d} and {t}"
 
 
 def steps_have_contacts(pair: SweepPair) -> Iterator[str]:
-    """Along the whole of each edge of the trajectory there are contacts, as its step states."""
+    """There are contacts all along each edge of the trajectory, as its step states."""
     s = sweep(*pair)
     yield from contacts_are_right(s)
     for step in explain(s):
@@ -136,7 +129,6 @@ def steps_have_contacts(pair: SweepPair) -> Iterator[str]:
 
 
 def count_events(effort: Effort) -> Iterator[Observation]:
-    """Count the contacts at vertices of trajectories, by kind."""
     events = Counter(
         contact.event
         for kind in KINDS
@@ -145,7 +137,7 @@ def count_events(effort: Effort) -> Iterator[Observation]:
         for contact in at
     )
     rows = [[event, f"{count:,}"] for event, count in sorted(events.items())]
-    yield Table("Contacts at the vertices of trajectories", ("event", "how often"), rows)
+    yield Table("Contacts at the vertices of trajectories", ("event", "count"), rows)
     if missing := {"EE", "EV", "VE", "VV"} - set(events):
         yield f"no contact of kind {', '.join(sorted(missing))}"
 
@@ -170,7 +162,7 @@ def vertices_belong_to_events(pair: SweepPair) -> Iterator[str]:
 
 
 def find_passing_vertices(effort: Effort) -> Iterator[Observation]:
-    """Test all convex pairs on a tiny grid, and a triangle with all sets of teeth on another."""
+    """Test all convex pairs on a tiny grid, and a triangle with all rows of teeth on another."""
     most = 6 if effort.quick else 8
     yield expect_none(search_grid(2, most, "convex", "convex", vertices_belong_to_events))
     yield search(_apexes_and_teeth(), vertices_belong_to_events, "of an apex and teeth")
@@ -192,10 +184,10 @@ def _apexes_and_teeth() -> Iterator[SweepPair]:
 def starts_and_stops_at_the_ends(pair: SweepPair) -> Iterator[str]:
     """The sweep starts with G's right end on D's left end, and stops with G's left on D's right."""
     s, (top, _, directrix) = sweep(*pair), pair.chains
-    path = take_bottom(s.trajectory.vertices)
+    path = functions.take_bottom(s.trajectory.vertices)
     for name, t, own, other in (
         ("starts", path[0], top[0], directrix[0]),
         ("stops", path[-1], top[-1], directrix[-1]),
     ):
         if (t[0] + own[0], t[1] + own[1]) != other:
-            yield f"the sweep {name} at ({t[0]}, {t[1]}), with ({own[0]}, {own[1]}) off D's end"
+            yield f"the sweep {name} at ({t[0]}, {t[1]}), where ({own[0]}, {own[1]}) is off D's end"

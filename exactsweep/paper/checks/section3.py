@@ -31,12 +31,9 @@ def returns(
     fails: Callable[[str, Sequence[Vertex]], Iterable[str]] = lambda procedure, chain: (),
     **procedures: str,
 ) -> Law:
-    """Return the law that each procedure computes the boundary as defined.
+    """Return the law that each procedure, a key of RUNS, computes the bottom chain of its loop.
 
-    Args:
-        words: the law, if it states more than that.
-        fails: a further check of the returned chain.
-        procedures: by loop, a key of RUNS; the boundary is the bottom chain of the loop.
+    `words` are the law, if it states more than that; `fails` checks the returned chain further.
     """
 
     def law(pair: SweepPair) -> Iterator[str]:
@@ -52,19 +49,18 @@ def returns(
 
 
 def slope(edge: Edge) -> Fraction:
-    """Return the slope of an edge, which does not depend on its orientation."""
     (px, py), (qx, qy) = edge
     return Fraction(qy - py) / (qx - px)
 
 
 def lay_by_slope(start: Vertex, edges: Sequence[Edge], sign: int = 1) -> list[Vertex]:
-    """Join edges, each directed to the right, by ascending (or descending) slope."""
+    """Join edges, each directed to the right, by ascending slope, or descending if `sign` is -1."""
     ordered = sorted(edges, key=lambda edge: sign * slope(edge))
     return keep_corners(walk((minus(*sorted(edge)[::-1]) for edge in ordered), start))
 
 
 def start_of(top: Sequence[Vertex], directrix: Sequence[Vertex]) -> Vertex:
-    """Return the start of the trajectory, with the right end of G_t on the left end of D_b."""
+    """Return the start of the trajectory: the right end of G_t is on the left end of D_b."""
     return directrix[0][0] - top[0][0], directrix[0][1] - top[0][1]
 
 
@@ -79,12 +75,12 @@ def reversed_edges_make_the_inverse(pair: SweepPair) -> Iterator[str]:
     """Reversing a chain twice restores it; its reversed edges, joined, form its inverse."""
     top = pair.chains.top
     edges = list(pairwise(top))
-    turned = reverse(edges)
-    if [(q, p) for p, q in turned] != edges or reverse(turned) != edges:
+    backward = reverse(edges)
+    if [(q, p) for p, q in backward] != edges or reverse(backward) != edges:
         yield "reversal changes more than the direction of each edge"
-    if list(map(slope, turned)) != list(map(slope, edges)):
+    if list(map(slope, backward)) != list(map(slope, edges)):
         yield "reversal changes the slopes"
-    if walk((minus(q, p) for p, q in turned), inverse(top)[0]) != inverse(top):
+    if walk((minus(q, p) for p, q in backward), inverse(top)[0]) != inverse(top):
         yield "the reversed edges, joined, are not the inverse of G_t"
 
 
@@ -123,7 +119,6 @@ def trajectory_by_slope(pair: SweepPair) -> Iterator[str]:
 
 
 def has_edge_in_two(procedure: str, chain: Sequence[Vertex]) -> Iterator[str]:
-    """Report parallel edges that are not joined."""
     if len(chain) != len(keep_corners(chain)):
         yield f"{procedure} does not join two parallel edges"
 
@@ -158,7 +153,7 @@ def outer_by_slope(pair: SweepPair) -> Iterator[str]:
 
 
 def loops_are_small(pair: SweepPair) -> Iterator[str]:
-    """All loops are convex and within the stated sizes."""
+    """All loops are convex, and their sizes are within the stated bounds."""
     s, (n, m) = sweep(*pair), map(len, pair)
     for loop, most in (s.trajectory, m + n), (s.inner, m), (s.outer, m + 2 * n):
         if not loop.is_convex or len(loop) > most:
@@ -167,7 +162,6 @@ def loops_are_small(pair: SweepPair) -> Iterator[str]:
 
 
 def count_attained(effort: Effort) -> Iterator[Observation]:
-    """Count the pairs that attain the bound for the outer loop."""
     drawn = (
         draw_pairs(effort, "CC", effort.cases(count), *how)
         for count, *how in ((200,), (100, "weak"), (10, "large"))

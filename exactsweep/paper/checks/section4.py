@@ -29,7 +29,7 @@ from exactsweep.paper.pairs import SweepPair, draw_pairs
 
 
 def lowest(name: str, chains: Sequence[Sequence[Vertex]], envelope: Sequence[Vertex]) -> str:
-    """Report where an envelope differs from the minimum of some chains, or an empty string."""
+    """Describe where an envelope differs from the minimum of some chains, if anywhere."""
     for x in sample_between(envelope, *chains):
         least = min((evaluate(chain, x) for chain in chains if reaches(chain, x)), default=None)
         found = evaluate(envelope, x) if reaches(envelope, x) else None
@@ -46,7 +46,6 @@ def sub_trajectories_suffice(pair: SweepPair) -> Iterator[str]:
 
 
 def is_monotone(name: str, chain: Iterable[Vertex]) -> Iterator[str]:
-    """Report where a chain turns back along x, or has a vertical edge."""
     for p, q in pairwise(chain):
         if p[0] >= q[0]:
             yield f"{name} is not strictly X-monotone at x = {p[0]}"
@@ -63,7 +62,7 @@ loops_are_monotone = returns(MONOTONE, is_monotone, trajectory="Trajectory_CM", 
 
 
 def few_undercuts(pair: SweepPair) -> Iterator[str]:
-    """There are fewer undercuts than convex parts of D_b, and each has at most n_t edges."""
+    """There are fewer undercuts than convex parts of D_b, each with at most n_t bottom edges."""
     s, (top, _, directrix) = sweep(*pair), pair.chains
     yield from compare_loops(s, "inner")
     lower = lower_undercuts(s)
@@ -90,7 +89,6 @@ def undercuts_fill_the_inner_loop(pair: SweepPair) -> Iterator[str]:
 
 
 def count_forms(effort: Effort) -> Iterator[Observation]:
-    """Count the undercuts of each form."""
     random = draw_pairs(effort, "CM", effort.cases(150))
     resting = draw_pairs(effort, "CM", effort.cases(40), "resting")
     swept = (sweep(*pair) for pair in chain(random, resting))
@@ -127,7 +125,7 @@ def _form(undercut: Undercut, pair: SweepPair) -> Iterator[str]:
 
 
 def labels_name_the_extremes(pair: SweepPair) -> Iterator[str]:
-    """The contacts at the positions that close an undercut include both of its extremes."""
+    """The contacts at the positions that close an undercut include both of its extreme points."""
     s = sweep(*pair)
     yield from contacts_are_right(s)
     yield from compare_loops(s, "inner")
@@ -144,7 +142,7 @@ def labels_name_the_extremes(pair: SweepPair) -> Iterator[str]:
 
 
 def sizes_are_bounded(pair: SweepPair) -> Iterator[str]:
-    """With k parts, at most m_b + k n_t, m_b + k (n_t + n_b) and m_b + (k - 1) n_t edges."""
+    """The chains have at most m_b + k n_t, m_b + k (n_t + n_b), and m_b + (k - 1) n_t edges."""
     chains, parts = pair.chains, find_convex_parts(pair.chains.directrix)
     n_t, n_b, m_b = (len(keep_corners(chain)) - 1 for chain in chains)
     for loop, procedure, most in (
@@ -177,7 +175,7 @@ def find_large_parts(effort: Effort) -> Iterator[Observation]:
 
 
 def parts_are_bounded(pair: SweepPair) -> Iterator[str]:
-    """With k parts, they have at most m_b + k n_t and m_b + k (n_t + n_b) edges in total."""
+    """The k parts have at most m_b + k n_t and m_b + k (n_t + n_b) edges in total."""
     n_t, n_b, m_b = (len(chain) - 1 for chain in pair.chains)
     paths, outers = list_sub_chains(pair)
     k = len(paths)

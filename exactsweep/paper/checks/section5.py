@@ -10,6 +10,7 @@ from exactsweep.check import point_in_polygon
 from exactsweep.geometry.region import AnyPolygon
 from exactsweep.geometry.segment import Segment, make_segment
 from exactsweep.numbers.number import Edge, Rational, Vertex
+from exactsweep.paper import kernel
 from exactsweep.paper.checks.section3 import returns, slope
 from exactsweep.paper.checks.section4 import MONOTONE, is_monotone, lowest
 from exactsweep.paper.claim import Counterexample, Effort, Observation, find_first_failure
@@ -23,15 +24,6 @@ from exactsweep.paper.functions import (
     look_up,
     look_up_bottom,
     write_chain,
-)
-from exactsweep.paper.kernel import (
-    find_inner,
-    find_outer,
-    find_trajectory,
-    list_sub_trajectories,
-    slide_inside,
-    sweep_mm,
-    trajectory_mm,
 )
 from exactsweep.paper.laws import search_grid, shrink
 from exactsweep.paper.pairs import SweepPair
@@ -50,7 +42,7 @@ mm_trajectory_is_monotone = returns("", is_monotone, trajectory="Trajectory_MM")
 
 def sub_trajectories_suffice(pair: SweepPair) -> Iterator[str]:
     """The trajectory is the lower envelope of the trajectories of G_t's convex parts."""
-    chains = [list(chain) for chain in list_sub_trajectories(pair.chains)]
+    chains = [list(chain) for chain in kernel.list_sub_trajectories(pair.chains)]
     yield lowest("sub-trajectory", chains, look_up_bottom(pair, "trajectory"))
 
 
@@ -65,8 +57,8 @@ def inverse_is_a_reflection(pair: SweepPair) -> Iterator[str]:
     if any(point_in_polygon((2 - x, 4 - y), mirrored) != 0 for x, y in pair.generatrix):
         yield "the image of a vertex is off the boundary of the image"
     bottom, top = split(pair.generatrix)
-    turned = [(int(x), int(y)) for x, y in g.reflected().vertices]
-    if split(turned) != (inverse(top), inverse(bottom)):
+    inverted = [(int(x), int(y)) for x, y in g.reflected().vertices]
+    if split(inverted) != (inverse(top), inverse(bottom)):
         yield "the inverse of the top chain is not the bottom chain of the inverse"
 
 
@@ -85,8 +77,8 @@ def complement_has_the_outside_left(pair: SweepPair) -> Iterator[str]:
 
 
 def loops_are_retraced(pair: SweepPair) -> Iterator[str]:
-    """Both loops are trajectories of I(G), which is inside T for the inner loop."""
-    inner, outer = find_inner(pair.chains), find_outer(pair.chains)
+    """Both loops are trajectories of I(G): around T for the outer, inside T for the inner loop."""
+    inner, outer = kernel.find_inner(pair.chains), kernel.find_outer(pair.chains)
     whole = sweep(sweep(*pair).generatrix.reflected(), sweep(*pair).trajectory).trajectory
     if whole.vertices != look_up(pair).outer:
         yield "the trajectory of I(G) around T is not the outer loop"
@@ -94,8 +86,8 @@ def loops_are_retraced(pair: SweepPair) -> Iterator[str]:
 
 
 def inner_as_printed(pair: SweepPair) -> Iterator[str]:
-    """Report that Trajectory_MM along the inside of T does not return the inner boundary."""
-    inner = keep_corners(find_inner(pair.chains))
+    """Trajectory_MM along the inside of T returns the inner boundary."""
+    inner = keep_corners(kernel.find_inner(pair.chains))
     expected = look_up_bottom(pair, "inner")
     if inner != expected:
         yield (
@@ -132,12 +124,12 @@ def local_width(pair: SweepPair) -> Iterator[str]:
 
 
 def _compare_width(s: Sweep, inside: AnyPolygon) -> Iterator[str]:
-    """Report edges whose distance from the outer loop differs from G's width across them."""
+    """Report edges whose distance from the outer loop differs from the width of G across them."""
     for p, q in list_edges(inside.vertices):
         normal = q.y - p.y, p.x - q.x
         reach, own = (max(_measure(normal, loop)) for loop in (s.outer, inside))
         if reach - own != _measure_width(normal, s.generatrix):
-            yield f"across ({p.x}, {p.y}) to ({q.x}, {q.y}) the area is not as wide as G"
+            yield f"across ({p.x}, {p.y}) to ({q.x}, {q.y}) the width differs from that of G"
 
 
 def _measure(normal: Vertex, points: Iterable[Vertex]) -> list[Rational]:
@@ -151,7 +143,7 @@ def _measure_width(normal: Vertex, polygon: AnyPolygon) -> Rational:
 
 
 def find_missing_edge(effort: Effort) -> Iterator[Observation]:
-    """Search for edges of a trajectory with no edge of a loop along them, or with two too near."""
+    """Search for edges of a trajectory along which a loop has no edge, or both are too near."""
 
     def lacks(pair: SweepPair, name: str) -> Iterator[str]:
         s = sweep(*pair)
@@ -169,7 +161,7 @@ def find_missing_edge(effort: Effort) -> Iterator[Observation]:
 
 
 def edges_are_near(pair: SweepPair) -> Iterator[str]:
-    """Report edges of both loops along one edge of T at a distance below the width of G."""
+    """Report edges of both loops along one edge of T that are nearer than the width of G."""
     s = sweep(*pair)
     if any(p.x == q.x for polygon in (s.generatrix, s.directrix) for p, q in list_edges(polygon)):
         return
@@ -205,9 +197,12 @@ def outside_of_the_inner_loop(pair: SweepPair) -> Iterator[str]:
 
 
 def inside_of_the_outer_loop(pair: SweepPair) -> Iterator[str]:
-    """Report the lowest path of G inside the outer loop unless it is the trajectory."""
+    """The lowest path of G inside the outer loop is the trajectory."""
     path, outer = look_up_bottom(pair, "trajectory"), look_up_bottom(pair, "outer")
-    found = clip_to(slide_inside(pair.chains.bottom, outer, lambda c: trajectory_mm(*c[::2])), path)
+    found = clip_to(
+        kernel.slide_inside(pair.chains.bottom, outer, lambda c: kernel.trajectory_mm(*c[::2])),
+        path,
+    )
     if found != path:
         chains = write_chain(found), write_chain(path)
         yield f"inside the outer loop, the path of G is {chains[0]}; the trajectory, {chains[1]}"
@@ -216,10 +211,10 @@ def inside_of_the_outer_loop(pair: SweepPair) -> Iterator[str]:
 def shortcuts_change_nothing(pair: SweepPair) -> Iterator[str]:
     """Pruning, and sweeping only the undercuts, change neither trajectory nor boundaries."""
     top, bottom, directrix = pair.chains
-    inner, outer = find_inner(pair.chains), find_outer(pair.chains)
-    path, found = trajectory_mm(top, directrix), sweep_mm(top, bottom, directrix)
+    inner, outer = kernel.find_inner(pair.chains), kernel.find_outer(pair.chains)
+    path, found = kernel.trajectory_mm(top, directrix), kernel.sweep_mm(top, bottom, directrix)
     for name, chain, literally in (
-        ("trajectory", path, find_trajectory(pair.chains)),
+        ("trajectory", path, kernel.find_trajectory(pair.chains)),
         ("outer boundary", found[1], outer),
         ("inner boundary", found[0], clip_to(inner, directrix)),
     ):

@@ -1,36 +1,47 @@
-"""Section 5: size of an MM sweep."""
+"""Section 5: size of an MM sweep, and why Lemma 5.2 needs one more factor.
 
+The lower envelope of s segments can have more pieces than any constant times s (Wiernik and Sharir
+1988), and up to order s times the inverse Ackermann function. Place two copies of the segments side
+by side in D_b, and s equal peaks at the same distance in G_t. Then the trajectory contains the
+envelope of all segments in s + 1 windows. So it has size O(mn) only if envelopes have linear size.
+"""
+
+import json
 from collections.abc import Iterator, Sequence
+from fractions import Fraction
+from importlib.resources import files
+from itertools import pairwise
 
 from exactsweep.corpus.generator.growing import bumps, edges_of_bumps, printed_count
 from exactsweep.numbers.error import ExactSweepError
 from exactsweep.numbers.number import Vertex
 from exactsweep.paper.checks.section5 import sub_trajectories_suffice, trajectory_mm_is_right
-from exactsweep.paper.checks.segments import (
-    BEST,
-    RECORDS,
-    Stroke,
-    build_windows,
-    build_windows_of_windows,
-    count_pieces,
-    pieces_in,
-)
 from exactsweep.paper.claim import Counterexample, Effort, Evidence, Observation, Table
 from exactsweep.paper.costs import RUNS
-from exactsweep.paper.functions import (
-    describe_difference,
-    keep_corners,
-    look_up_bottom,
-)
+from exactsweep.paper.functions import describe_difference, keep_corners, look_up_bottom
 from exactsweep.paper.kernel import list_sub_trajectories, trajectory_mm
-from exactsweep.paper.pairs import Chains, SweepPair
+from exactsweep.paper.pairs import Chains, SweepPair, read_pair
+
+Stroke = Sequence[int]
+
+_DATA = json.loads(
+    files("exactsweep.paper.checks").joinpath("segments.json").read_text(encoding="utf-8")
+)
+
+# For each number of segments, those with the largest envelope that simulated annealing found. Up to
+# five, they attain the longest Davenport-Schinzel sequence of order 3.
+BEST: list[list[Stroke]] = _DATA["best"]
+FINE = 64
+
+# (m_b, n_t, n_b) = (2, 2, 2): 10, (2, 4, 4): 36, (2, 4, 6): 49
+RECORDS = tuple(map(read_pair, _DATA["records"]))
 
 # Found by the search of Lemma 5.2.
 OUTGROWING = SweepPair([(0, 3), (1, 0), (2, 3), (1, 1)], [(0, 0), (1, 1), (3, 0), (1, 2)])
 
 
 def outgrows_its_parts(pair: SweepPair) -> Iterator[str]:
-    """Report a trajectory with more edges than its sub-trajectories have in total."""
+    """A trajectory has at most as many edges as its sub-trajectories in total."""
     sizes = [len(keep_corners(chain)) - 1 for chain in list_sub_trajectories(pair.chains)]
     found = len(keep_corners(trajectory_mm(*pair.chains[::2]))) - 1
     if found > sum(sizes):
@@ -74,12 +85,11 @@ def fill_windows(effort: Effort) -> Iterator[Observation]:
 
 
 def _report_fall(rates: Sequence[str], words: str) -> str:
-    """Return `words` if the rates are not in ascending order, or an empty string."""
     return "" if sorted(rates, key=float) == [*rates] else words
 
 
 def find_outer(pair: SweepPair) -> list[Vertex]:
-    """Return the outer boundary of the lower sweep; raise an error if the definition differs."""
+    """Return the outer boundary of the lower sweep, after a comparison with the definition."""
     outer = keep_corners(RUNS["Sweep_MM, outer loop"](pair.chains))
     if failure := describe_difference("the outer boundary", outer, look_up_bottom(pair, "outer")):
         raise ExactSweepError(failure)
@@ -87,7 +97,7 @@ def find_outer(pair: SweepPair) -> list[Vertex]:
 
 
 def find_beyond_mn2(effort: Effort) -> Iterator[Observation]:
-    """Find outer boundaries of more than order mn²: the largest example, and a table."""
+    """Show outer boundaries of more than order mn² edges: a table, and the largest one."""
     rows = []
     # The definition tests all pairs of edges, so it is slow with more segments.
     for segments in BEST[:4]:
@@ -162,3 +172,88 @@ def count_bumps(effort: Effort) -> Iterator[Observation]:
         rows,
     )
     yield Evidence(f"{len(rows)} pairs, by the definition.")
+
+
+def count_pieces(segments: Sequence[Stroke]) -> int:
+    """Count the pieces of the lower envelope of segments, which must have no gaps."""
+    lines = [
+        (x0, x1, Fraction(y1 - y0, x1 - x0), y0 - Fraction(y1 - y0, x1 - x0) * x0)
+        for x0, y0, x1, y1 in segments
+    ]
+    cuts = {Fraction(x) for x0, x1, _, _ in lines for x in (x0, x1)}
+    for k, (_, _, a, b) in enumerate(lines):
+        cuts |= {(b - d) / (c - a) for _, _, c, d in lines[:k] if a != c}
+    lowest = []
+    for left, right in pairwise(sorted(cuts)):
+        x = (left + right) / 2
+        over = [(a * x + b, k) for k, (x0, x1, a, b) in enumerate(lines) if x0 < x < x1]
+        if over:
+            lowest.append(min(over)[1])
+    return 1 + sum(p != q for p, q in pairwise(lowest))
+
+
+def build_windows(segments: Sequence[Stroke]) -> SweepPair:
+    """Build a pair whose trajectory contains the envelope of all s segments s + 1 times.
+
+    Envelopes of the first or the last 1, ..., s - 1 segments precede and follow them.
+    """
+    count = len(segments)
+    directrix, width, high = _lay_side_by_side(segments, 2)
+    top = _peaks(count, width, high)
+    right, low = top[-1]
+    return SweepPair([top[0], (right // 2, low - high), *top[:0:-1]], directrix)
+
+
+def build_windows_of_windows(segments: Sequence[Stroke]) -> SweepPair:
+    """Build a pair whose outer boundary contains the envelope of all s segments s² - s + 1 times.
+
+    Envelopes of the first or the last 1, ..., s - 1 segments precede and follow them.
+    """
+    count = len(segments)
+    directrix, width, high = _lay_side_by_side(segments, 1)
+    top = _peaks(count, count * width, high)
+    low = top[0][1] - high
+    tips: list[tuple[int, int]] = []
+    for k in range(count):
+        tips += [(k * width - 1, low), (k * width, low - 8 * high), (k * width + 1, low)]
+    top[-1] = (top[-1][0] + count * width, top[-1][1])
+    return SweepPair([top[0], *tips, *top[:0:-1]], directrix)
+
+
+def _lay_side_by_side(
+    segments: Sequence[Stroke], copies: int
+) -> tuple[list[tuple[int, int]], int, int]:
+    """Return a D of enlarged segments between walls, their distance, and half the walls' height."""
+    left, low = min(s[0] for s in segments), min(min(s[1], s[3]) for s in segments)
+    moved = [(x0 - left, y0 - low, x1 - left, y1 - low) for x0, y0, x1, y1 in segments]
+    width = FINE * (max(s[2] for s in moved) + 2)
+    high = FINE * (max(max(s[1], s[3]) for s in moved) + 2)
+    bottom: list[tuple[int, int]] = [(-3, 2 * high)]
+    for k, (x0, y0, x1, y1) in enumerate(moved * copies):
+        start = k * width
+        bottom += [
+            (start + FINE * x0 - 1, 2 * high),
+            (start + FINE * x0, FINE * y0),
+            (start + FINE * x1, FINE * y1),
+            (start + FINE * x1 + 1, 2 * high),
+        ]
+    right = copies * len(moved) * width
+    return [*bottom, (right, 2 * high), (right // 2, 4 * high)], width, high
+
+
+def _peaks(count: int, distance: int, high: int) -> list[tuple[int, int]]:
+    """Return G_t, from left to right: peaks of half-width 1, twice as high as the walls."""
+    top: list[tuple[int, int]] = [(-2, -4 * high)]
+    for k in range(count):
+        top += [(k * distance - 1, -4 * high), (k * distance, 0), (k * distance + 1, -4 * high)]
+    return [*top, ((count - 1) * distance + 2, -4 * high)]
+
+
+def pieces_in(trajectory: Sequence[Vertex], segments: Sequence[Stroke]) -> int:
+    """Count the edges of a trajectory that have the slope of one of the segments."""
+    slopes = {Fraction(y1 - y0, x1 - x0) for x0, y0, x1, y1 in segments}
+    return sum(
+        Fraction(qy - py) / (qx - px) in slopes
+        for (px, py), (qx, qy) in pairwise(trajectory)
+        if px != qx
+    )

@@ -7,25 +7,13 @@ from math import log2
 
 from exactsweep.corpus.generator.shapes import Ring
 from exactsweep.numbers.number import Vertex
-from exactsweep.paper import kernel
+from exactsweep.paper import counting, kernel
 from exactsweep.paper.checks.appendix import watch_slots
 from exactsweep.paper.checks.section4 import lowest
 from exactsweep.paper.checks.section5_sizes import OUTGROWING, find_beyond_mn2, outgrows_its_parts
 from exactsweep.paper.claim import Counterexample, Effort, Evidence, Observation, Table
 from exactsweep.paper.costs import count_all
-from exactsweep.paper.counting import (
-    count_chains,
-    count_operations,
-    grow,
-    make_counted,
-    operations,
-    watch_operations,
-)
-from exactsweep.paper.functions import (
-    clip_to,
-    describe_difference,
-    look_up_bottom,
-)
+from exactsweep.paper.functions import clip_to, describe_difference, look_up_bottom
 from exactsweep.paper.growth import M_PLUS_N, Growth, double
 from exactsweep.paper.pairs import Chains, SweepPair
 from exactsweep.procedures.chain import inverse
@@ -35,7 +23,7 @@ Inner = Callable[[Chains, Graph], list[Vertex]]
 
 
 def count_one_merge(effort: Effort) -> Iterator[Observation]:
-    """Count the operations of one merge, and merge all tiny chains."""
+    """Count the operations of one merge, and merge all pairs of tiny chains."""
 
     def run(*chains: Sequence[Vertex]) -> Graph:
         return lower_envelope_mm(list(map(kernel.to_graph, chains)))
@@ -44,13 +32,15 @@ def count_one_merge(effort: Effort) -> Iterator[Observation]:
         return [(2 * k, k % 2 * 10) for k in range(m)], [(2 * k, 6 - k % 2) for k in range(n)]
 
     def count(chains: SweepPair) -> int:
-        return count_operations(run, *map(make_counted, chains))
+        return counting.count_operations(run, *map(counting.make_counted, chains))
 
     pairs = list(product(_tiny_chains(), repeat=2))
     tried = f"All {len(pairs)} pairs of chains of one or two edges on the 3 by 3 grid, and counts."
     yield Evidence(tried, searched=len(pairs))
     # Only the ends of the chains keep the counts from being proportional.
-    yield grow("operations of one merge", zigzags, M_PLUS_N, double(64, 4), count, limit=1.005)
+    yield counting.grow(
+        "operations of one merge", zigzags, M_PLUS_N, double(64, 4), count, limit=1.005
+    )
     yield from (lowest("chain", chains, list(run(*chains))) for chains in pairs)
 
 
@@ -65,15 +55,15 @@ def _tiny_chains() -> list[list[Vertex]]:
 
 def merge_by_halves(pair: SweepPair) -> tuple[int, float]:
     """Count the operations of LowerEnvelope_MM; the bound is N log k for k chains, N edges."""
-    graphs = kernel.list_sub_trajectories(count_chains(pair))
+    graphs = kernel.list_sub_trajectories(counting.count_chains(pair))
     size = sum(len(graph.pieces) for graph in graphs)
-    with watch_operations() as tally:
+    with counting.watch_operations() as tally:
         merged = lower_envelope_mm(graphs)
     return tally.total + sum(1 for _ in merged), size * max(1.0, log2(len(graphs)))
 
 
 def lower_envelope_mm_is_right(pair: SweepPair) -> Iterator[str]:
-    """LowerEnvelope_MM returns the lower envelope of some chains."""
+    """LowerEnvelope_MM returns the lower envelope of its chains."""
     chains = kernel.list_sub_trajectories(pair.chains)
     found = lower_envelope_mm(chains)
     yield lowest("sub-trajectory", [list(chain) for chain in chains], list(found))
@@ -81,39 +71,38 @@ def lower_envelope_mm_is_right(pair: SweepPair) -> Iterator[str]:
 
 
 def find_large_trajectory(effort: Effort) -> Iterator[Observation]:
-    """Show a trajectory that exceeds the size assumed by the bound."""
     how = "the first of the non-convex quadrilaterals on the 4 by 4 grid"
     yield from (Counterexample(text, how, *OUTGROWING) for text in outgrows_its_parts(OUTGROWING))
 
 
 def find_large_loop(effort: Effort) -> Iterator[Observation]:
-    """Show outer boundaries that exceed the size assumed by the bound."""
     yield from (part for part in find_beyond_mn2(effort) if not isinstance(part, Table))
 
 
 def step_2(pair: SweepPair) -> int:
     """Count the operations of all calls of Trajectory_CM."""
-    return operations(lambda c: chain.from_iterable(kernel.list_sub_trajectories(c)), pair.chains)
+    return counting.operations(
+        lambda c: chain.from_iterable(kernel.list_sub_trajectories(c)), pair.chains
+    )
 
 
 def merge_parts_in_turn(pair: SweepPair) -> int:
     """Count the operations and copied slots of merging one sub-trajectory at a time."""
-    graphs = _sub_trajectories(count_chains(pair))
-    with watch_operations() as tally:
+    graphs = _sub_trajectories(counting.count_chains(pair))
+    with counting.watch_operations() as tally:
         merged = reduce(lambda partial, graph: merge(watch_slots(partial), graph), graphs)
     return tally.total + len(merged.pieces)
 
 
 def merge_parts_by_halves(pair: SweepPair) -> int:
     """Count the operations of merging sub-trajectories by halves."""
-    graphs = _sub_trajectories(count_chains(pair))
-    with watch_operations() as tally:
+    graphs = _sub_trajectories(counting.count_chains(pair))
+    with counting.watch_operations() as tally:
         merged = lower_envelope_mm(graphs)
     return tally.total + len(merged.pieces)
 
 
 def count_glance(effort: Effort) -> Iterator[Observation]:
-    """Count the operations of merging sub-trajectories one at a time and by halves."""
     growth = list(count_all("Envelopes at first glance", effort))
     yield Evidence("Operations are counted.")
     yield from growth
@@ -127,25 +116,23 @@ def _sub_trajectories(chains: Chains) -> list[Graph]:
 
 
 def inner_again(chains: Chains, trajectory: Graph) -> list[Vertex]:
-    """Compute the inner boundary as printed: Trajectory_MM along the whole inside of T."""
+    """Compute the inner boundary as printed, by Trajectory_MM along the whole inside of T."""
     bottom, path = inverse(chains.top), list(trajectory)
     found = kernel.slide_inside(bottom, path, kernel.merge_sub_trajectories)
     return clip_to(found, chains.directrix)
 
 
 def inner_by_gaps(chains: Chains, trajectory: Graph) -> list[Vertex]:
-    """Compute the inner boundary as the kernel does, in the undercuts only."""
     return kernel.sweep_inner_mm(chains.top, chains.directrix, trajectory)
 
 
 def sweep_again(pair: SweepPair, inner: Inner = inner_again) -> int:
-    """Count the operations beyond the trajectory if the whole inside of T is swept."""
-    chains = count_chains(pair)
-    return count_operations(inner, chains, kernel.trajectory_mm(*chains[::2]))
+    """Count the operations in addition to the trajectory if the whole inside of T is swept."""
+    chains = counting.count_chains(pair)
+    return counting.count_operations(inner, chains, kernel.trajectory_mm(*chains[::2]))
 
 
 def sweep_gaps(pair: SweepPair) -> int:
-    """Count the operations beyond the trajectory if only the undercuts are swept."""
     return sweep_again(pair, inner_by_gaps)
 
 
@@ -158,13 +145,11 @@ def gaps_give_the_same(pair: SweepPair) -> Iterator[str]:
 
 
 def _outgrows(slow: Growth, fast: Growth) -> bool:
-    """Decide whether one count grows faster than another in each doubling."""
     factors = [p.count / q.count for p, q in zip(slow.points, fast.points, strict=False)]
     return all(after > 1.4 * before for before, after in pairwise(factors))
 
 
 def count_gaps(effort: Effort) -> Iterator[Observation]:
-    """Count the operations of both algorithms for the inner boundary, and its vertices."""
     gaps, again, written = growth = list(count_all("A faster inner loop", effort))
     last, other = written.points[-1], gaps.points[len(again.points) - 1]
     yield Evidence(

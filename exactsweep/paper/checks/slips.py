@@ -1,19 +1,13 @@
-"""Misprints, each with a case that separates the printed from the intended statement."""
+"""Misprints, each with a case that distinguishes the printed from the intended statement."""
 
 from collections.abc import Iterator, Sequence
 
 from exactsweep.numbers.number import Vertex
+from exactsweep.paper import functions
 from exactsweep.paper.checks.appendix import meetings
 from exactsweep.paper.claim import Counterexample, Effort, Evidence, Observation
 from exactsweep.paper.costs import count_all
 from exactsweep.paper.counting import count_chains, count_operations, watch_operations
-from exactsweep.paper.functions import (
-    keep_corners,
-    look_up,
-    look_up_bottom,
-    take_bottom,
-    write_chain,
-)
 from exactsweep.paper.kernel import (
     find_convex_parts,
     find_trajectory,
@@ -32,34 +26,34 @@ def partial_meets_whole(pair: SweepPair) -> Iterator[str]:
     parts = find_convex_parts(directrix)
     first = [*parts[0], *(p for part in parts[1:-1] for p in part[1:])]
     partial = list(trajectory_cm(top, first))
-    whole = look_up_bottom(pair, "trajectory")
+    whole = functions.look_up_bottom(pair, "trajectory")
     if failure := meetings(partial, whole)[0]:
         yield f"T_(i-1) and T(G_t, D_b): {failure}"
 
 
 def output_is_closed(pair: SweepPair) -> Iterator[str]:
     """Trajectory_CC returns T(G, D), a closed loop."""
-    found = keep_corners(trajectory_cc(pair.chains.top, pair.chains.directrix))
-    whole = look_up(pair).trajectory
+    found = functions.keep_corners(trajectory_cc(pair.chains.top, pair.chains.directrix))
+    whole = functions.look_up(pair).trajectory
     if len(found) - 1 != len(whole):
         yield f"it returns a chain of {len(found) - 1} edges; T(G, D) has {len(whole)}"
 
 
 def inner_is_ready_before(pair: SweepPair) -> Iterator[str]:
     """Before step 3 of SweepI_CM the list L is the inner boundary."""
-    if look_up_bottom(pair, "inner") != take_bottom(pair.directrix):
+    if functions.look_up_bottom(pair, "inner") != functions.take_bottom(pair.directrix):
         yield "after step 2, the list L is still D_b, not the inner boundary"
 
 
 def step_3(pair: SweepPair) -> int:
-    """Count the operations of SweepI_CM beyond the trajectory."""
+    """Count the operations of SweepI_CM in addition to the trajectory."""
     top, _, directrix = count_chains(pair)
     return count_operations(sweep_inner_cm, top, directrix, trajectory_cm(top, directrix))
 
 
 def boundary_is_trajectory(pair: SweepPair) -> Iterator[str]:
     """The partial outer boundary is a trajectory."""
-    if look_up_bottom(pair, "outer") != look_up_bottom(pair, "trajectory"):
+    if functions.look_up_bottom(pair, "outer") != functions.look_up_bottom(pair, "trajectory"):
         yield "S_1, an outer boundary, is not the path of a point of G"
 
 
@@ -70,7 +64,7 @@ def find_loops_apart(effort: Effort) -> Iterator[Observation]:
     def fails(pair: SweepPair) -> Iterator[str]:
         top, _, directrix = pair.chains
         known = first.setdefault((tuple(top), tuple(directrix)), pair)
-        if look_up(known).outer != look_up(pair).outer:
+        if functions.look_up(known).outer != functions.look_up(pair).outer:
             yield f"G = {known[0]} and D = {known[1]} have the same G_t and D_b, but other loops"
 
     yield search_grid(2, 7, "any", "any", fails)
@@ -80,9 +74,10 @@ def generatrix_sweeps_again(pair: SweepPair) -> Iterator[str]:
     """T(G_b, T(G_t, D_b)) is a translate of the outer boundary."""
     bottom = pair.chains.bottom
     path = find_trajectory(pair.chains)
-    found = keep_corners(find_trajectory(Chains(bottom[::-1], [], path)))
-    if _shape(found) != _shape(look_up_bottom(pair, "outer")):
-        yield f"T(G_b, T(G_t, D_b)) is {write_chain(found)}, no translate of the outer boundary"
+    found = functions.keep_corners(find_trajectory(Chains(bottom[::-1], [], path)))
+    if _shape(found) != _shape(functions.look_up_bottom(pair, "outer")):
+        chain = functions.write_chain(found)
+        yield f"T(G_b, T(G_t, D_b)) is {chain}, not a translate of the outer boundary"
 
 
 def _shape(chain: Sequence[Vertex]) -> list[Vertex]:
@@ -100,15 +95,15 @@ def parts_have_numbers(pair: SweepPair) -> Iterator[str]:
 
 def output_has_mn_vertices(pair: SweepPair) -> Iterator[str]:
     """Trajectory and outer loop together have mn vertices."""
-    (n, m), loops = map(len, pair), look_up(pair)
+    (n, m), loops = map(len, pair), functions.look_up(pair)
     if (size := len(loops.trajectory) + len(loops.outer)) != m * n:
         yield f"the output has {size} vertices for m = {m} and n = {n}"
 
 
 def calls(pair: SweepPair) -> tuple[int, float]:
-    """Count the operations of all calls of Trajectory_CC, and the edges of the trajectory."""
+    """Count the operations of all calls of Trajectory_CC; the bound is the trajectory's size."""
     chains = count_chains(pair)
-    edges = len(keep_corners(trajectory_cm(*chains[::2]))) - 1
+    edges = len(functions.keep_corners(trajectory_cm(*chains[::2]))) - 1
     with watch_operations() as tally:
         for part in find_convex_parts(chains.directrix):
             trajectory_cc(chains.top, part)
@@ -116,14 +111,13 @@ def calls(pair: SweepPair) -> tuple[int, float]:
 
 
 def count_calls(effort: Effort) -> Iterator[Observation]:
-    """Show that the operations of all calls of Trajectory_CC outgrow the trajectory."""
     (growth,) = count_all("Corollary 4.3 cited for a time", effort)
     last = growth.points[-1]
     yield Evidence("Operations are counted.", growth=(growth,))
     yield Counterexample(
         f"for m = {last.m} and n = {last.n}, the calls take {last.count:,} operations, but the "
         f"trajectory has {last.bound:.0f} edges: its size does not bound the time",
-        "a G wider than D, at the largest counted size",
+        "a G wider than D, at the largest size counted",
     )
     if growth.exponent() <= growth.claimed() + 0.2:
         yield "the number of edges grows as fast as the number of operations"

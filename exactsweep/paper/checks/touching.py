@@ -32,7 +32,7 @@ def contacts_are_right(s: Sweep) -> Iterator[str]:
 
 
 def touches_are_right(s: Sweep, step: Step) -> Iterator[str]:
-    """Report contacts of a step whose start or end is wrong."""
+    """Report contacts of a step that start or end at a wrong position."""
     for t in list_moments(s, step.start, step.end):
         now = sorted(touch.contact for touch in step.touches if lasts(t, touch.start, touch.end))
         if now != (expected := list_lasting(s.generatrix, s.directrix, t)):
@@ -42,15 +42,12 @@ def touches_are_right(s: Sweep, step: Step) -> Iterator[str]:
 
 
 def lasts(t: Point, start: Point, end: Point) -> bool:
-    """Decide whether a position on an edge lies strictly between two others."""
     return min(start, end) < t < max(start, end)
 
 
 def list_moments(s: Sweep, start: Point, end: Point) -> list[Point]:
-    """List positions along an edge of the trajectory, one in each interval of constant contact.
-
-    A contact begins or ends only where a vertex of G is on one of D.
-    """
+    """List positions along an edge of the trajectory, one in each interval of constant contact."""
+    # A contact begins or ends only where a vertex of G is on a vertex of D.
     cuts = {start, end}
     low, high = min(start, end), max(start, end)
     for w, v in product(s.directrix.vertices, s.generatrix.vertices):

@@ -26,7 +26,7 @@ from exactsweep.procedures.undercuts import find_undercuts
 
 
 def find_long_undercut(effort: Effort) -> Iterator[Observation]:
-    """Search for an undercut with more edges than G_t, and count the edges over needles."""
+    """Count the edges of inner boundaries over needles, and of single undercuts."""
     yield Evidence("A family of needles; a certificate proves one pair.")
     yield from prove(SweepPair(*needles(10, 8)))
     for growth in count_all("Lemma 5.5", effort):
@@ -47,7 +47,7 @@ def find_longest(pair: SweepPair) -> int:
 
 
 def long_undercut(pair: SweepPair) -> Iterator[str]:
-    """Report an undercut whose bottom chain has more edges than G_t."""
+    """The bottom chain of an undercut has at most as many edges as G_t."""
     longest, most = find_longest(pair), len(pair.chains.top) - 1
     if longest > most:
         yield f"an undercut has {longest} edges, G_t has {most}"
@@ -61,7 +61,7 @@ def prove(pair: SweepPair) -> Iterator[str]:
 
 
 def undercuts_are_closed(pair: SweepPair) -> Iterator[str]:
-    """At and between its positions, G draws the whole bottom chain of an undercut."""
+    """At and between the positions that close an undercut, G draws its whole bottom chain."""
     s = sweep(*pair)
     for undercut in s.undercuts:
         drawn = list(map(make_segment, _list_drawn(s, undercut.positions)))
@@ -85,7 +85,7 @@ def _list_drawn(s: Sweep, positions: Sequence[Point]) -> list[tuple[Point, Point
 
 
 def count_lower_undercuts(pair: SweepPair) -> int:
-    """Count the undercuts of the lower sweep, closing both chains with a lid."""
+    """Count the undercuts of the lower sweep, with both chains closed at the top."""
     inner, directrix = sweep_mm(*pair.chains)[0], pair.chains.directrix
     above = 1 + max(y for _, y in directrix)
     lid = [(directrix[-1][0] + 1, above), (directrix[0][0] - 1, above)]

@@ -1,9 +1,9 @@
-"""Drawing of figures: `drawings.toml` lists what to draw, the figure's module computes the shapes.
+"""Drawing of figures by the instructions in `drawings.toml`, all panels at one scale.
 
-A panel is a list of instructions: a method of `PanelDrawer` and its arguments. A shape is a name,
-such as "outer", "outer.3" for its vertex 3, or "outer/3" for the middle of its edge 3; or it is a
-literal point or chain. In panel a, the shape "a_name" overrides "name". "=name" stands for
-words that the module computes. A look is an entry of `looks`, or a name of the style.
+An instruction is a method of `PanelDrawer` with its arguments. A shape is a literal point or chain,
+or a name: "outer", "outer.3" for its vertex 3, "outer/3" for the midpoint of its edge 3. The shape
+"a_name" overrides "name" in panel a. "=name" stands for computed words. A look is an entry of
+`looks`, or a name of the style.
 """
 
 from __future__ import annotations
@@ -41,7 +41,6 @@ def _load() -> dict[str, Any]:
 
 
 def find_look(name: str) -> Look:
-    """Find a look by name, in drawings.toml or in the style."""
     if name not in _load()["looks"]:
         found: Look = getattr(style, name)
         return found
@@ -56,7 +55,7 @@ def find_look(name: str) -> Look:
 
 
 def draw_figure(name: str, figure: PaperFigure) -> Figure:
-    """Draw a figure by its entry in drawings.toml; raise DrawError if matplotlib is missing."""
+    """Draw a figure by its entry in drawings.toml; raises DrawError if matplotlib is missing."""
     plan = _load()[name]
     panels = [
         PanelDrawer(
@@ -76,7 +75,7 @@ def draw_figure(name: str, figure: PaperFigure) -> Figure:
 
 
 class PanelDrawer:
-    """A panel of a figure; its methods are the instructions."""
+    """A panel of a figure. Its public methods are the instructions."""
 
     picture: Picture
 
@@ -89,7 +88,6 @@ class PanelDrawer:
         self.instructions = instructions
 
     def frame(self, entry: Mapping[str, Any]) -> Extent:
-        """Return the extent of the panel, with title and margins."""
         points = chain.from_iterable(map(self._points, entry["around"]))
         (title,) = self._words(entry.get("title", ""))
         return Extent.around(points, title, entry.get("margins", (4, 4, 4, 4)))
@@ -138,10 +136,9 @@ class PanelDrawer:
         dy: float = 0,
         how: Mapping[str, Any] | None = None,
     ) -> None:
-        """Write words next to one or more points; "=name" stands for computed words.
+        """Write words next to points, offset by (dx, dy) or by the vectors of the shape `dx`.
 
-        `dx` and `dy` are offsets to the right and upward, or `dx` names a shape with vectors. `how`
-        has "ha" and "va" for the alignment, "leader" for a line to the point, and "small".
+        `how` sets the alignments "ha" and "va", "leader" for a line to the point, and "small".
         """
         from matplotlib.patheffects import withStroke
 
@@ -199,9 +196,9 @@ _POINTS = 72.0
 
 
 class Extent(NamedTuple):
-    """The frame of a panel: an exact rectangle from `low` to `high`, a title, and margins.
+    """The rectangle, title and margins of a panel.
 
-    The margins, in points, leave room for labels on the left, below, on the right and above.
+    Margins are in points, on the left, below, on the right and above; labels may extend into them.
     """
 
     low: Vertex
@@ -211,7 +208,6 @@ class Extent(NamedTuple):
 
     @classmethod
     def around(cls, points: Iterable[Vertex], title: str, margins: Sequence[float]) -> Self:
-        """Return the bounding box of points as an extent."""
         xs, ys = zip(*points, strict=True)
         return cls((min(xs), min(ys)), (max(xs), max(ys)), title, margins)
 
@@ -220,7 +216,7 @@ class Extent(NamedTuple):
         return 12 if self.title else 0
 
     def measure(self, unit: float) -> tuple[float, float]:
-        """Return width and height in points at a given scale, including margins and title."""
+        """Return width and height in points, including margins and title, for a unit in points."""
         left, bottom, right, top = self.margins
         wide, high = (float(high - low) for low, high in zip(self.low, self.high, strict=True))
         return wide * unit + left + right, high * unit + bottom + top + self.title_height
@@ -232,10 +228,9 @@ def _find_unit(row: Sequence[Extent], across: float) -> float:
 
 
 def lay_out(rows: Sequence[Sequence[Extent]], inches: float) -> tuple[Figure, list[Picture]]:
-    """Make a figure of panels without axes, at the largest scale at which all rows fit.
+    """Make a figure of panels without axes, at the largest common scale at which all rows fit.
 
-    Returns the matplotlib figure and a Picture for each frame; raises DrawError if matplotlib is
-    missing.
+    Returns the matplotlib figure and a Picture for each panel.
     """
     require_matplotlib()
     from matplotlib.figure import Figure
@@ -264,7 +259,7 @@ def lay_out(rows: Sequence[Sequence[Extent]], inches: float) -> tuple[Figure, li
 
 
 def _spread(row: Sequence[Extent], unit: float, across: float) -> Iterator[float]:
-    """Yield the left ends of the panels in a row, with equal gaps."""
+    """Yield the left ends of the panels in a row, separated by equal gaps."""
     widths = [box.measure(unit)[0] for box in row]
     gap = (across - sum(widths)) / (len(row) + 1)
     left = gap

@@ -1,7 +1,4 @@
-"""A figure of the paper as a value: its statements, its laws, and its shapes.
-
-drawings.toml names the function that computes each figure.
-"""
+"""A figure of the paper as a value; `drawings.toml` names the function that computes each one."""
 
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from fractions import Fraction
@@ -24,7 +21,7 @@ class PaperFigure(NamedTuple):
 
     `facts` are its statements, as pairs of a name and a value; `laws` are triples of a name, a
     value, and the value by another method. `shapes` are points, chains and lists of chains, `words`
-    are labels; the name "a_name" is for panel a only. `sweeps` have the drawn positions of G.
+    are labels; "a_name" is a name for panel a only. `sweeps` come with the drawn positions of G.
     """
 
     facts: Sequence[tuple[str, object]] = ()
@@ -34,7 +31,7 @@ class PaperFigure(NamedTuple):
     sweeps: Sequence[tuple[Sweep, Sequence[Point]]] = ()
 
     def list_shapes(self) -> dict[str, Any]:
-        """Return all shapes by name, including D, G, the loops and the undercuts of the sweeps."""
+        """Return all shapes by name, including those of the sweeps."""
         shapes: dict[str, Any] = {}
         for s, positions in self.sweeps:
             for name in ("directrix", "trajectory", "inner", "outer"):
@@ -44,7 +41,7 @@ class PaperFigure(NamedTuple):
         return {**shapes, **self.shapes}
 
     def find_failures(self) -> Iterator[str]:
-        """Report laws that fail, loops that are wrong, and positions without contact."""
+        """Yield laws that fail, loops that are wrong, and positions without contact."""
         for s, positions in self.sweeps:
             yield from compare_loops(s)
             yield from _compare_positions(s, positions)
@@ -54,7 +51,7 @@ class PaperFigure(NamedTuple):
 
 
 def join_panels(panels: Mapping[str, PaperFigure]) -> PaperFigure:
-    """Join panels by their letters; the names of the key "" stay unchanged."""
+    """Join panels, with their letters as prefixes of names; the key "" adds no prefix."""
     shapes: dict[str, Any] = {}
     words: dict[str, Sequence[str]] = {}
     for letter, panel in panels.items():
@@ -78,7 +75,6 @@ def load(name: str) -> PaperFigure:
 
 
 def check_figure(name: str) -> Iterator[Observation]:
-    """Compare a figure's statements with the results of other methods."""
     figure = load(name)
     rows = [[what, str(value)] for what, value in figure.facts]
     yield Table("The statements of the figure", ("what", "value"), rows)
@@ -90,11 +86,10 @@ def _compare_positions(s: Sweep, positions: Iterable[Vertex]) -> Iterator[str]:
         t = x - s.reference.x, y - s.reference.y
         found = classify(s.directrix, s.generatrix, t).verdict
         if found != "CONTACT":
-            yield f"at ({x}, {y}) the verdict on G is {found}"
+            yield f"at ({x}, {y}) the verdict on G is {found}, not CONTACT"
 
 
 def take_half(s: Sweep) -> Chains:
-    """Return the chains of the lower half of a sweep."""
     bottom, top = split(s.generatrix.vertices)
     return Chains(top, bottom, split(s.directrix.vertices)[0])
 
@@ -108,7 +103,7 @@ def write_list(values: Iterable[object]) -> str:
 
 
 def find_middle(p: Vertex, q: Vertex, *, share: Fraction = Fraction(1, 2)) -> Point:
-    """Return the point of a segment at a share of its length, by default the middle."""
+    """Return the point at a share of a segment, by default the midpoint."""
     return Point(p[0] + share * (q[0] - p[0]), p[1] + share * (q[1] - p[1]))
 
 

@@ -22,7 +22,7 @@ class Widths(NamedTuple):
     """An edge e of the trajectory, its unit vector, and the distances of Figure 9.
 
     I(G) touches e `at` a point from both sides. `inside` and `outside` are the positions of I(g),
-    `inner` and `outer` their distances d' and d'' from e; `width` is that of G perpendicular to e.
+    `inner` and `outer` their distances d' and d'' from e; `width` is the width of G across e.
     """
 
     sweep: Sweep
@@ -36,32 +36,28 @@ class Widths(NamedTuple):
     width: Fraction
 
     def go(self, start: Vertex, along: Fraction, across: Fraction = Fraction(0)) -> Point:
-        """Return the point at given distances from another one, along e and to its left."""
+        """Return the point at given distances from `start` along e and to the left of e."""
         dx, dy = self.direction
         return Point(start[0] + along * dx - across * dy, start[1] + along * dy + across * dx)
 
-    def turn_at(self, p: Vertex) -> list[Vertex]:
+    def invert_at(self, p: Vertex) -> list[Vertex]:
         return shift(invert_generatrix(self.sweep).vertices, p)
 
     def find_foot(self, p: Point) -> Point:
-        """Return the foot of the perpendicular from a point to e."""
         (dx, dy), (x, y) = self.direction, self.at
         return self.go(self.at, Fraction((p.x - x) * dx + (p.y - y) * dy))
 
 
 def _measure(s: Sweep) -> Iterator[Widths]:
-    """Yield the widths at the midpoints of the lower edges with rational length.
-
-    Edges are skipped if no vertex of I(G), placed inside or outside, is on the loop.
-    """
-    turned = invert_generatrix(s).vertices
+    """Yield the widths at the midpoints of the lower edges with rational length, if both exist."""
+    corners = invert_generatrix(s).vertices
     for p, q in pairwise(s.trajectory.vertices):
         length = find_root((q.x - p.x) ** 2 + (q.y - p.y) ** 2)
         if q.x <= p.x or length is None:
             continue
         dx, dy = (q.x - p.x) / length, (q.y - p.y) / length
         at = find_middle(p, q)
-        heights = {Point(at.x - w.x, at.y - w.y): dx * w.y - dy * w.x for w in turned}
+        heights = {Point(at.x - w.x, at.y - w.y): dx * w.y - dy * w.x for w in corners}
         inside, outside = (
             next((place for place in heights if point_in_polygon(place, loop) == 0), None)
             for loop in (s.inner, s.outer)
@@ -73,7 +69,6 @@ def _measure(s: Sweep) -> Iterator[Widths]:
 
 
 def measure_widths() -> tuple[Widths, Widths]:
-    """Return widths for the longest edge of Figure 1's pair, and for a counterexample."""
     g, d = ([(x * THIRD, y * THIRD) for x, y in ring] for ring in NARROW)
     return (
         max(_measure(sweep_example()), key=lambda found: found.length),
@@ -93,7 +88,10 @@ def _show(letter: str, found: Widths, across: Sequence[Point], share: Fraction) 
     return PaperFigure(
         facts=[(f"({letter}) {name}", value) for name, value in distances.items()],
         laws=laws,
-        shapes={"placed": [found.turn_at(p) for p in (found.inside, found.outside)], "at": found.at}
+        shapes={
+            "placed": [found.invert_at(p) for p in (found.inside, found.outside)],
+            "at": found.at,
+        }
         | {"inside": found.inside, "near": [found.inside, found.find_foot(found.inside)]}
         | {"outside": found.outside, "far": [found.outside, found.find_foot(found.outside)]}
         | {"across": across, "measure": find_middle(*across, share=share)},
@@ -112,7 +110,7 @@ def compute() -> PaperFigure:
     )
     foot = first.go(first.at, Fraction(-14, 5))
     across = [first.go(foot, Fraction(0), by) for by in (first.inner, -first.outer)]
-    x, high = near.at.x - 4, Fraction(max(y for _, y in near.turn_at(near.outside)))
+    x, high = near.at.x - 4, Fraction(max(y for _, y in near.invert_at(near.outside)))
     upright = [Point(x, high), Point(x, high - near.width)]
     shown = _show("a", first, across, Fraction(3, 4)), _show("b", near, upright, Fraction(2, 3))
     return join_panels({"": whole, "a": shown[0], "b": shown[1]})

@@ -1,19 +1,20 @@
-"""Figure 10: sweeps whose outer boundary has order mn² edges."""
+"""Figure 10, outer boundaries of order mn² edges, and an additional figure of many undercuts."""
 
 from collections.abc import Iterator, Sequence
 from fractions import Fraction
 from itertools import pairwise
 
-from exactsweep.corpus.generator.growing import bumps, edges_of_bumps, printed_count
-from exactsweep.numbers.number import Edge, Vertex
+from exactsweep.corpus.generator import growing
+from exactsweep.numbers.number import Edge, Point, Vertex
 from exactsweep.paper.checks.section5_sizes import sizes_of
 from exactsweep.paper.figures.figure import (
     PaperFigure,
     find_middle,
     join_panels,
     take_half,
+    write_list,
 )
-from exactsweep.paper.functions import take_bottom
+from exactsweep.paper.functions import lower_undercuts, take_bottom
 from exactsweep.paper.kernel import sweep_mm
 from exactsweep.sweep import Sweep, sweep
 
@@ -25,7 +26,7 @@ COLUMNS = (3, 10, 16)
 
 
 def sweep_example(teeth: int) -> Sweep:
-    """Sweep a pair of the paper's sizes, (2, 4, 6), flatter and wider than `bumps`."""
+    """Sweep a pair flatter and wider than `bumps`; one tooth gives the paper's sizes."""
     bottom = [(40 * k, -120 if k % 2 else 0) for k in range(2 * teeth + 1)]
     rings = PEAKS + TIP, [*bottom, (40 * teeth, 60)]
     g, d = ([(Fraction(x, 4), Fraction(y, 20)) for x, y in ring] for ring in rings)
@@ -33,7 +34,7 @@ def sweep_example(teeth: int) -> Sweep:
 
 
 def _place_numbers(edges: Sequence[Edge]) -> Iterator[Vertex]:
-    """Yield the offset of each edge's number: below, or above where the chain turns right."""
+    """Yield the offset of each edge's number: below, but above where the chain turns right."""
     vectors = [(Fraction(q[0] - p[0]), Fraction(q[1] - p[1])) for p, q in edges]
     right = [dx * ny < dy * nx for (dx, dy), (nx, ny) in pairwise(vectors)]
     for k, (dx, dy) in enumerate(vectors):
@@ -51,7 +52,7 @@ def _show(letter: str, s: Sweep) -> PaperFigure:
     at = min(s.trajectory.vertices, key=lambda p: (p.y, p.x))
     return PaperFigure(
         facts=[(f"({letter}) (m_b, n_t, n_b): edges", f"{size}: {len(edges)}")],
-        laws=[(f"edges for {size}", len(edges), edges_of_bumps(*size))],
+        laws=[(f"edges for {size}", len(edges), growing.edges_of_bumps(*size))],
         shapes={"name": (at.x + 10, at.y), "edges": edges, "lower": lower}
         | {"middles": [find_middle(*e) for e in edges], "offsets": list(_place_numbers(edges))},
         words={"title": [f"({letter}) {len(edges)} edges"]}
@@ -60,22 +61,49 @@ def _show(letter: str, s: Sweep) -> PaperFigure:
     )
 
 
-def compute() -> PaperFigure:
+def compute_lower_bound() -> PaperFigure:
     first, second = sweep_example(1), sweep_example(2)
     facts: list[tuple[str, object]] = []
     laws: list[tuple[str, object, object]] = [
         ("sizes", sizes_of(take_half(first)), (2, 4, 6)),
-        ("edges", len(take_bottom(first.outer.vertices)) - 1, printed_count(2, 4, 6)),
+        ("edges", len(take_bottom(first.outer.vertices)) - 1, growing.printed_count(2, 4, 6)),
     ]
     cells: list[str] = []
     for size in SIZES:
-        s, printed = sweep(*bumps(*size)), printed_count(*size)
+        s, printed = sweep(*growing.bumps(*size)), growing.printed_count(*size)
         found = len(take_bottom(s.outer.vertices)) - 1
         facts.append((f"family, {size}: edges, formula of the paper", f"{found}, {printed}"))
         laws.append((f"edges for {size}", found, len(sweep_mm(*take_half(s))[1]) - 1))
-        laws.append((f"edges for {size}", found, edges_of_bumps(*size)))
+        laws.append((f"edges for {size}", found, growing.edges_of_bumps(*size)))
         cells += [str(size), str(printed), str(found)]
     rows = range(1, len(SIZES) + 1)
     places = [(x, 16 - Fraction(5, 2) * row) for row in rows for x in COLUMNS]
     whole = PaperFigure(facts, laws, {"cells": places}, {"cells": cells})
     return join_panels({"a": _show("a", first), "b": _show("b", second), "": whole})
+
+
+M, N = 7, 8
+CEILING = 8
+# With G at PLACE, the tip of the left needle, the origin, is in the first inner valley of G_t.
+PLACE = Point(Fraction(-9), Fraction(0))
+
+
+def compute_ceilings() -> PaperFigure:
+    s = sweep(*growing.ceilings(M, N))
+    lower = sorted(lower_undercuts(s), key=lambda u: u.bottom[0])
+    # Between two undercuts, G touches the ceiling at a point.
+    touched = [undercut.bottom[-1] for undercut in lower[:-1]]
+    return PaperFigure(
+        facts=[
+            ("(m, n)", f"({M}, {N})"),
+            ("undercuts between the needles", len(lower)),
+            ("places where G touches the ceiling", len(touched)),
+            ("their x", write_list(p.x for p in touched)),
+        ],
+        laws=[
+            ("undercuts", len(lower), growing.undercuts_under_ceilings(M, N)),
+            ("heights of the places", {p.y for p in touched}, {CEILING}),
+        ],
+        shapes={"undercuts": [u.polygon.vertices for u in lower], "touched": touched},
+        sweeps=[(s, [PLACE])],
+    )

@@ -1,19 +1,30 @@
-"""Figures 1, 3 and 8: one sweep, its Minkowski sum, its boundaries, and the inverse generatrix."""
+"""Figures 1, 2, 3 and 8: one pair, its Minkowski sum, chains and boundaries, and I(G)."""
 
 from fractions import Fraction
+from itertools import pairwise
 
 from exactsweep.check import classify
+from exactsweep.corpus.generator.shapes import Ring
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.numbers.number import Point
-from exactsweep.paper.figures.figure import PaperFigure, join_panels, place, shift, take_half
+from exactsweep.paper.figures.figure import (
+    PaperFigure,
+    find_middle,
+    join_panels,
+    place,
+    shift,
+    take_half,
+)
 from exactsweep.paper.functions import (
     clip_to,
     explain_unproved,
     frame_around,
     keep_corners,
+    sample_between,
     take_bottom,
 )
 from exactsweep.paper.kernel import find_inner, find_trajectory, sweep_mm
+from exactsweep.procedures.chain import split
 from exactsweep.sweep import Sweep, inner_fit_polygon, no_fit_polygon, sweep
 
 GENERATRIX = [(0, 0), (2, 1), (4, 0), (3, 3), (1, 3)]
@@ -23,7 +34,6 @@ ALONG = [Point(Fraction(x), Fraction(y)) for x, y in [(0, 5), (12, -1), (16, 2),
 
 
 def sweep_example() -> Sweep:
-    """Compute the sweep of Figures 1 and 8."""
     return sweep(GENERATRIX, DIRECTRIX, reference=(2, 1))
 
 
@@ -69,30 +79,30 @@ def compute_minkowski() -> PaperFigure:
 def compute_boundaries() -> PaperFigure:
     s = sweep_example()
     half = take_half(s)
-    # As defined, the inner boundary is the top chain of the area covered in the lower sweep, which
-    # extends beyond both ends of D.
+    # By definition, the inner boundary is part of the top chain of the area covered in the lower
+    # sweep, which extends beyond both ends of D.
     top, path = find_inner(half), find_trajectory(half)
     inner, outer = sweep_mm(*half)
     start, stop = (Point(x + s.reference.x, y + s.reference.y) for x, y in (path[0], path[-1]))
-    travelled = stop.x - start.x
+    distance = stop.x - start.x
     widths = sum(p.bounding_box[1].x - p.bounding_box[0].x for p in (s.generatrix, s.directrix))
     low = min(y for _, y in outer) - 3
     return PaperFigure(
         facts=[
             ("edges of the inner boundary", len(inner) - 1),
             ("edges of the outer boundary", len(outer) - 1),
-            ("horizontal distance from start to stop", travelled),
+            ("horizontal distance from start to stop", distance),
         ],
         laws=[
             ("inner boundary", clip_to(top, half.directrix), keep_corners(inner)),
             ("bottom of the outer loop", take_bottom(s.outer.vertices), keep_corners(outer)),
-            ("horizontal distance", travelled, widths),
+            ("horizontal distance", distance, widths),
             ("start", shift(half.top[:1], path[0]), half.directrix[:1]),
         ],
         shapes={"lower": outer, "upper": inner, "path": shift(path, s.reference)}
         | {"swept": [*outer, *reversed(top)], "ends": [start, stop]}
         | {"distance": [(start.x, low), (stop.x, low)]},
-        words={"widths": [f"{travelled} = width of $G$ + width of $D$"]},
+        words={"widths": [f"{distance} = width of $G$ + width of $D$"]},
         sweeps=[(s, [start, stop])],
     )
 
@@ -126,3 +136,35 @@ def compute_inverses() -> PaperFigure:
     )
     drawn = {k: PaperFigure(shapes={"places": places[k], "turned": turned[k]}) for k in "ab"}
     return join_panels({"": whole} | drawn)
+
+
+# D of Figure 1, and G of Figure 1 at twice its size.
+POLYGONS = {"D": DIRECTRIX, "G": [(2 * x, 2 * y) for x, y in GENERATRIX]}
+
+
+def compute_chains() -> PaperFigure:
+    return join_panels({letter: _show_chains(letter, ring) for letter, ring in POLYGONS.items()})
+
+
+def _show_chains(letter: str, ring: Ring) -> PaperFigure:
+    corners = Polygon(ring).vertices
+    bottom, top = chains = split(corners)
+    laws: list[tuple[str, object, object]] = [
+        (f"vertices of {letter}", {*bottom, *top}, set(corners))
+    ]
+    for x in sample_between(corners):
+        met = [
+            sum(min(p[0], q[0]) < x < max(p[0], q[0]) for p, q in pairwise(chain))
+            for chain in chains
+        ]
+        laws.append((f"edges of {letter}'s chains over x = {x}", met, [1, 1]))
+    # Arrow heads at the midpoints of the edges, which run counter-clockwise.
+    b_heads, t_heads = (
+        [(find_middle(*e), find_middle(*e, share=Fraction(5, 8))) for e in pairwise(chain)]
+        for chain in chains
+    )
+    return PaperFigure(
+        facts=[(f"edges of {letter}_b", len(bottom) - 1), (f"edges of {letter}_t", len(top) - 1)],
+        laws=laws,
+        shapes={"ring": ring, "b": bottom, "t": top, "b_heads": b_heads, "t_heads": t_heads},
+    )

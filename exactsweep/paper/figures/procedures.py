@@ -20,28 +20,24 @@ from exactsweep.paper.pairs import SweepPair
 _DATA = json.loads(
     files("exactsweep.paper.figures").joinpath("procedures.json").read_text(encoding="utf-8")
 )
+# Pairs of a caller and a procedure in the paper's text, and the centers of the boxes, in points.
 PRINTED: list[tuple[str, str]] = [(one, other) for one, other in _DATA["printed"]]
-"""The calls in the paper's text."""
 PLACES: dict[str, Vertex] = {name: (x, y) for name, (x, y) in _DATA["places"].items()}
-"""The centers of the procedures' boxes, in points."""
+# The functions of the kernel with the centers of their boxes, and the calls between them.
 KERNEL: dict[str, tuple[Callable[..., Any], Vertex]] = {
     name: (resolve_name(code), (x, y)) for name, (code, x, y) in _DATA["kernel"].items()
 }
-"""The functions of the kernel by name, with the centers of their boxes."""
 MADE: list[tuple[str, str]] = [(one, other) for one, other in _DATA["made"]]
-"""The calls between these functions."""
 HIGH = 16
-"""The height of a box, in points."""
 
 
 def _draw_call(places: Mapping[str, Vertex], one: str, other: str) -> tuple[Vertex, Vertex]:
-    """Return the tail and the head of the arrow of a call."""
     start, end = places[one], places[other]
     return _leave(start, _rim(one, start), end), _leave(end, _rim(other, end), start)
 
 
 def watch_calls(words: Mapping[CodeType, str], *runs: Callable[[], object]) -> set[tuple[str, str]]:
-    """Record the calls between some functions, skipping other functions in between."""
+    """Record the calls between the named functions, skipping other functions in between."""
     inside: list[str] = []
     found: set[tuple[str, str]] = set()
 
@@ -64,7 +60,6 @@ def watch_calls(words: Mapping[CodeType, str], *runs: Callable[[], object]) -> s
 
 
 def watch_kernel() -> set[tuple[str, str]]:
-    """Record the calls in the kernel for a pair of each class."""
     words = {function.__code__: name for name, (function, _) in KERNEL.items()}
     example = SweepPair(GENERATRIX, DIRECTRIX)
     convex, toothed = SweepPair(*growing.cc(8, 8)), SweepPair(*growing.cm_undercut(16, 8))
@@ -106,7 +101,7 @@ def _rim(name: str, place: Vertex) -> list[Vertex]:
 
 
 def _leave(middle: Vertex, rim: list[Vertex], towards: Vertex) -> Vertex:
-    """Return the point where a box is left on the line to another center."""
+    """Return the point where the line from the center of a box to another one leaves the box."""
     (x, y), (dx, dy) = middle, (towards[0] - middle[0], towards[1] - middle[1])
     wide, high = rim[2][0] - x, rim[2][1] - y
     share = min(abs(Fraction(size) / step) for size, step in ((wide, dx), (high, dy)) if step)

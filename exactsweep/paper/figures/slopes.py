@@ -8,15 +8,8 @@ from typing import NamedTuple
 from exactsweep.corpus.generator.shapes import walk
 from exactsweep.numbers.digits import format_fraction
 from exactsweep.numbers.number import Edge, Point, Rational, Vertex
-from exactsweep.paper.figures.figure import (
-    PaperFigure,
-    find_middle,
-    join_panels,
-    place,
-    shift,
-    take_half,
-    write_list,
-)
+from exactsweep.paper.figures import figure
+from exactsweep.paper.figures.figure import PaperFigure
 from exactsweep.paper.kernel import sweep_outer_cc, trajectory_cc
 from exactsweep.procedures.chain import inverse
 from exactsweep.sweep import Sweep, sweep
@@ -28,7 +21,7 @@ OWNERS = ("D_b", "G_t")
 
 
 class Move(NamedTuple):
-    """An edge that G slides along, with its chain and its vector in the path."""
+    """An edge along which G slides: its chain, and its vector in the path."""
 
     owner: str
     by: Vertex
@@ -39,13 +32,11 @@ class Move(NamedTuple):
 
 
 def sweep_example() -> Sweep:
-    """Compute the CC sweep of Figures 4 and 5; the reference point is the right end of G."""
     return sweep(GENERATRIX, DIRECTRIX, reference=(6, 1))
 
 
 def list_edges() -> dict[str, list[Move]]:
-    """List the edges of D_b, of reversed G_t and of G_b, each from left to right."""
-    half = take_half(sweep_example())
+    half = figure.take_half(sweep_example())
     chains = {"D_b": half.directrix, "G_t": inverse(half.top), "G_b": half.bottom}
     return {
         owner: [Move(owner, (q[0] - p[0], q[1] - p[1])) for p, q in pairwise(chain)]
@@ -63,19 +54,18 @@ def lay(start: Vertex, moves: Sequence[Move]) -> list[Point]:
 
 
 def find_stations() -> list[Point]:
-    """Return the path of the right end of G, starting at the left end of D_b (Lemma 3.1)."""
-    return lay(take_half(sweep_example()).directrix[0], sort_by_slope("D_b", "G_t"))
+    """Return the path of the right end of G, which starts at the left end of D_b (Lemma 3.1)."""
+    return lay(figure.take_half(sweep_example()).directrix[0], sort_by_slope("D_b", "G_t"))
 
 
 def write_slope(move: Move) -> str:
-    """Format a slope with a typographic minus sign."""
     return format_fraction(Fraction(move.slope)).replace("-", "\N{MINUS SIGN}")
 
 
 def compute_slopes() -> PaperFigure:
-    s, path, half = sweep_example(), find_stations(), take_half(sweep_example())
-    found = shift(trajectory_cc(half.top, half.directrix), s.reference)
-    across = [(x, 0) for ring in place(s, path[: STEPS + 1]) for x, _ in ring]
+    s, path, half = sweep_example(), find_stations(), figure.take_half(sweep_example())
+    found = figure.shift(trajectory_cc(half.top, half.directrix), s.reference)
+    across = [(x, 0) for ring in figure.place(s, path[: STEPS + 1]) for x, _ in ring]
     whole = PaperFigure(
         facts=[("edges of the trajectory", len(path) - 1)],
         laws=[("trajectory", found, path)],
@@ -83,19 +73,18 @@ def compute_slopes() -> PaperFigure:
         sweeps=[(s, path)],
     )
     steps = {letter: _show(letter, s, path, step) for step, letter in enumerate("abcd")}
-    return join_panels(steps | {"": whole})
+    return figure.join_panels(steps | {"": whole})
 
 
 def _show(letter: str, s: Sweep, path: Sequence[Point], step: int) -> PaperFigure:
-    """Show one step: the next edges of D_b and of reversed G_t, at the vertex of contact."""
     taken, done = sort_by_slope("D_b", "G_t")[step], sort_by_slope("D_b", "G_t")[:step]
     ours, theirs = (
         next(move for move in list_edges()[owner] if move not in done) for owner in OWNERS
     )
-    x, y = lay(take_half(s).directrix[0], [move for move in done if move.owner == "D_b"])[-1]
+    x, y = lay(figure.take_half(s).directrix[0], [move for move in done if move.owner == "D_b"])[-1]
     on_d = [(x, y), (x + ours.by[0], y + ours.by[1])]
     on_g = [(x, y), (x - theirs.by[0], y - theirs.by[1])]
-    placed, moved = place(s, path[step : step + 2])
+    placed, moved = figure.place(s, path[step : step + 2])
     slopes = f"{ours.slope}, {theirs.slope}: {taken.owner} is next"
     first = min(ours, theirs, key=lambda move: move.slope)
     return PaperFigure(
@@ -106,14 +95,14 @@ def _show(letter: str, s: Sweep, path: Sequence[Point], step: int) -> PaperFigur
         ],
         shapes={"placed": placed, "moved": moved, "path": path[: step + 1], "met": [(x, y)]}
         | {"edge": on_d if taken == ours else on_g}
-        | {"middles": [find_middle(*on_d), find_middle(*on_g)]},
+        | {"middles": [figure.find_middle(*on_d), figure.find_middle(*on_g)]},
         words={"ours": [write_slope(ours)], "theirs": [write_slope(theirs)]},
     )
 
 
 def compute_outer_slopes() -> PaperFigure:
     s, path, edges = sweep_example(), find_stations(), list_edges()
-    half, sides, order = take_half(s), sort_by_slope("D_b", "G_t"), sort_by_slope(*edges)
+    half, sides, order = figure.take_half(s), sort_by_slope("D_b", "G_t"), sort_by_slope(*edges)
     between = [
         [move for move in edges["G_b"] if before.slope < move.slope < after.slope]
         for before, after in pairwise(sides)
@@ -128,13 +117,13 @@ def compute_outer_slopes() -> PaperFigure:
     for dx, dy in (move.by for move in order):
         apart.append(((start, -Fraction(dy) / 2), (start + dx, Fraction(dy) / 2)))
         start += dx + Fraction(3, 2)
-    middles = [find_middle(*piece).x for piece in apart]
+    middles = [figure.find_middle(*piece).x for piece in apart]
     return PaperFigure(
         facts=[
-            ("edges of D_b, G_t, G_b", write_list(map(len, edges.values()))),
+            ("edges of D_b, G_t, G_b", figure.write_list(map(len, edges.values()))),
             ("edges of the outer boundary", len(outer) - 1),
             ("slopes of t_i and t_(i+1)", f"{sides[turn - 1].slope}, {sides[turn].slope}"),
-            ("slopes of G_b between them", write_list(m.slope for m in between[turn - 1])),
+            ("slopes of G_b between them", figure.write_list(m.slope for m in between[turn - 1])),
         ],
         laws=[
             ("outer boundary", sweep_outer_cc(half.top, half.bottom, half.directrix), outer),

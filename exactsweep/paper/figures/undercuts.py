@@ -1,4 +1,4 @@
-"""Figures 7, 12 and 13: undercuts, contacts, and the motion of the contact."""
+"""Figures 6, 7, 12 and 13: envelopes, undercuts, contacts, and the motion of the contact."""
 
 from fractions import Fraction
 from typing import NamedTuple
@@ -9,6 +9,8 @@ from exactsweep.evidence.contact import Contact
 from exactsweep.evidence.undercut import Undercut
 from exactsweep.geometry.region import Vertices
 from exactsweep.numbers.number import Point, Vertex
+from exactsweep.paper import kernel
+from exactsweep.paper.checks.section4 import lowest
 from exactsweep.paper.figures.figure import (
     PaperFigure,
     find_middle,
@@ -18,8 +20,7 @@ from exactsweep.paper.figures.figure import (
     take_half,
     write_list,
 )
-from exactsweep.paper.functions import take_bottom
-from exactsweep.paper.kernel import find_convex_parts, trajectory_cc
+from exactsweep.paper.functions import keep_corners, take_bottom
 from exactsweep.procedures.chain import split
 from exactsweep.sweep import Sweep, sweep
 
@@ -33,7 +34,6 @@ REFERENCES = ((5, -4), (6, -4))
 
 
 def sweep_examples() -> tuple[Sweep, Sweep]:
-    """Compute both sweeps; the reference points are the lowest vertices of G."""
     first, second = (
         sweep(g, DIRECTRIX, reference=r) for g, r in zip(GENERATRICES, REFERENCES, strict=True)
     )
@@ -52,7 +52,9 @@ def compute_undercuts() -> PaperFigure:
 
 def _show_undercut(letter: str, s: Sweep, kind: str) -> PaperFigure:
     found, half, gap = find_undercut(s), take_half(s), s.inner.area - s.directrix.area
-    parts = (trajectory_cc(half.top, part) for part in find_convex_parts(half.directrix))
+    parts = (
+        kernel.trajectory_cc(half.top, part) for part in kernel.find_convex_parts(half.directrix)
+    )
     first, *others = place(s, found.positions)
     return PaperFigure(
         facts=[
@@ -148,7 +150,7 @@ def _freeze(s: Sweep, contacts: tuple[Contact, ...], at: Point) -> Frozen:
 
 
 def compute_contact_motion() -> PaperFigure:
-    """Compute the figure: the lower sweep of Figure 7b, stopped where G closes the undercut."""
+    """Compute Figure 13 from the lower sweep of Figure 7b, stopped where G closes the undercut."""
     s = sweep_examples()[1]
     # The extreme contacts at both ends of each segment.
     path = [
@@ -163,7 +165,7 @@ def compute_contact_motion() -> PaperFigure:
     lefts, rights = [moment.left.x for moment in path], [moment.right.x for moment in path]
     ticks = sorted({*lefts, *rights})
     (ring,), first = place(s, [at]), path[0].at.x
-    travelled, wide = path[-1].at.x - first, s.directrix.bounding_box[1].x
+    distance, wide = path[-1].at.x - first, s.directrix.bounding_box[1].x
     low, high = min(y for _, y in ring) - 1, s.directrix.bounding_box[1].y
     edge = min(x for x, _ in ring) - 2
     # The ray up from p_l, the part of G_t from p_l to v_l, and the ray down from v_l.
@@ -185,12 +187,52 @@ def compute_contact_motion() -> PaperFigure:
         shapes={"placed": ring, "first": min(ring), "name": find_middle(min(ring), max(ring))}
         | {"bottom": take_half(s).directrix, "border": border, "frame": [(edge, low), (edge, high)]}
         | {"half": [(edge, low), (edge, high), *border], "left": found.left, "right": found.right}
-        | {"axes": [[(0, 0), (travelled + 1, 0)], [(0, 0), (0, wide + 1)]]}
-        | {"chart": [(0, 0), (travelled + 1, wide + 1)], "high": (0, wide)}
+        | {"axes": [[(0, 0), (distance + 1, 0)], [(0, 0), (0, wide + 1)]]}
+        | {"chart": [(0, 0), (distance + 1, wide + 1)], "high": (0, wide)}
         | {"b_lefts": [(moment.at.x - first, moment.left.x) for moment in path]}
         | {"b_rights": [(moment.at.x - first, moment.right.x) for moment in path]}
-        | {"ticks": [(0, x) for x in ticks], "along": (travelled / 2, 0)}
+        | {"ticks": [(0, x) for x in ticks], "along": (distance / 2, 0)}
         | {"stop_left": (middle, found.left.x), "stop_right": (middle, found.right.x)},
         words={"ticks": [str(x) for x in ticks]},
         sweeps=[(s, [moment.at for moment in path])],
+    )
+
+
+ENVELOPE_GENERATRIX = [(0, 0), (1, -2), (4, -1), (5, 0), (3, 3), (1, 2)]
+ENVELOPE_DIRECTRIX = [(0, 5), (2, 1), (5, 0), (8, 4), (10, 0), (14, 1), (16, 5), (12, 7), (4, 7)]
+
+
+def compute_envelopes() -> PaperFigure:
+    s = sweep(ENVELOPE_GENERATRIX, ENVELOPE_DIRECTRIX, reference=(2, 0))
+    half = take_half(s)
+    chain = half.directrix
+    parts = kernel.find_convex_parts(chain)
+    paths = [shift(kernel.trajectory_cc(half.top, part), s.reference) for part in parts]
+    outers = [kernel.sweep_outer_cc(half.top, half.bottom, part) for part in parts]
+    path = shift(kernel.trajectory_cm(half.top, chain), s.reference)
+    outer = list(kernel.sweep_outer_cm(half.top, half.bottom, chain))
+    meeting = s.undercuts[0].positions[:1]
+    return PaperFigure(
+        facts=[
+            ("convex parts of D_b", len(parts)),
+            ("their edges", write_list(len(part) - 1 for part in parts)),
+            ("edges of the sub-trajectories", write_list(len(p) - 1 for p in paths)),
+            ("edges of the trajectory", len(path) - 1),
+            ("edges of the sub-outer chains", write_list(len(p) - 1 for p in outers)),
+            ("edges of the outer boundary", len(outer) - 1),
+            ("undercuts", len(s.undercuts)),
+        ],
+        laws=[
+            ("trajectory", keep_corners(path), take_bottom(s.trajectory.vertices)),
+            ("outer boundary", keep_corners(outer), take_bottom(s.outer.vertices)),
+            ("lowest sub-trajectories", lowest("sub-trajectory", paths, path), ""),
+            ("lowest sub-outer chains", lowest("sub-outer chain", outers, outer), ""),
+            ("the sub-trajectories meet on the trajectory", meeting[0] in path, True),
+        ],
+        shapes={"top": split(s.directrix.vertices)[1], "bottom": chain, "parts": parts}
+        | {"paths": paths, "outers": outers, "path": path, "lower": outer}
+        | {"detached": shift(s.generatrix.vertices, (-5, 0)), "meeting": meeting}
+        | {"ends": [(x, 0) for x, _ in (outer[0], outer[-1])]}
+        | {"below": (chain[3][0] - 2, min(y for _, y in outer))},
+        sweeps=[(s, meeting)],
     )
