@@ -13,7 +13,7 @@ from matplotlib.ticker import NullLocator
 
 from benchmarks.growth import Grown
 from benchmarks.peers.run import Comparison
-from exactsweep.paper.plots import SETTINGS, STYLES
+from exactsweep.paper.report import SETTINGS, STYLES
 
 # Panels are smaller than the plots of the ledger.
 SMALLER: dict[str, Any] = {

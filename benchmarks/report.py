@@ -12,7 +12,7 @@ from benchmarks import plots, scaling
 from benchmarks.clock import machine
 from benchmarks.peers.run import TIMES, Comparison, tabulate
 from exactsweep.paper.growth import Growth
-from exactsweep.paper.plots import ratios
+from exactsweep.paper.report import plot_ratios
 
 MEASURED = "measured.pickle"
 Measured = tuple[str, Sequence[Growth], Comparison]
@@ -42,7 +42,7 @@ def write(folder: Path) -> Path:
     for what in dict.fromkeys(series.what for series in measured):
         name = what.replace(" ", "_")
         chosen = [series for series in measured if series.what == what]
-        (folder / f"{name}.svg").write_bytes(ratios(chosen))
+        (folder / f"{name}.svg").write_bytes(plot_ratios(chosen))
         lines += [f"![{what}]({name}.svg)", ""]
     lines += ["## Other programs", "", TIMES, ""]
     for table in tabulate(found):
