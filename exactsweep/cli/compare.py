@@ -54,7 +54,7 @@ def compare_command(
     from exactsweep.conform.judge.verdict import Verdict
     from exactsweep.conform.report.text import describe
     from exactsweep.conform.run.outcome import compare_in_time
-    from exactsweep.conform.run.tally import fails
+    from exactsweep.conform.run.run import fails
     from exactsweep.corpus.pairs import read_case
 
     if case == result == "-":

@@ -75,7 +75,7 @@ class Reports:
         if "-" not in self.list_files():
             write(f"{write_table(run.summary, measure_columns('-'))}\n{close(run)}", "-")
         if self.junit is not None:
-            from exactsweep.conform.report.junit import write_junit
+            from exactsweep.conform.report.ci import write_junit
 
             write(write_junit(run), self.junit)
         if self.json is not None:

@@ -1,4 +1,4 @@
-"""Conformance testing of other implementations against exact answers."""
+"""Conformance tests of other implementations against exact answers."""
 
 from exactsweep.conform.judge.compare import compare
 from exactsweep.conform.judge.verdict import Comparison, PartComparison, Verdict, Witness

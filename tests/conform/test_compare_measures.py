@@ -14,8 +14,13 @@ from tiers import examples
 from exactsweep import Point, Polygon
 from exactsweep.check.location import locate
 from exactsweep.conform.judge.closeness import are_close
-from exactsweep.conform.judge.distance import measure_distance
-from exactsweep.conform.judge.region import RegionError, add_areas, find_differences, find_simplest
+from exactsweep.conform.judge.region import (
+    RegionError,
+    add_areas,
+    find_differences,
+    find_simplest,
+    measure_distance,
+)
 
 Ring = Sequence[Point]
 

@@ -3,8 +3,7 @@
 import pytest
 
 from exactsweep.conform.judge.verdict import Verdict
-from exactsweep.conform.run.complaint import find_error, find_place
-from exactsweep.conform.run.fault import name_fault
+from exactsweep.conform.run.fault import find_error, find_place, name_fault
 
 NODE = """/app/mine.js:2
 if (k == 0) BigInt("4.0");

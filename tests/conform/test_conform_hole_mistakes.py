@@ -8,7 +8,7 @@ from xml.sax.saxutils import escape
 from exactsweep import Point, inner_fit_polygon, no_fit_polygon
 from exactsweep.conform import compare, conform
 from exactsweep.conform.judge.witness import list_exact_rings
-from exactsweep.conform.report.junit import write_junit
+from exactsweep.conform.report.ci import write_junit
 from exactsweep.conform.report.text import close
 from exactsweep.corpus import Case, cases
 

@@ -12,8 +12,8 @@ from command import run
 from judged import FAULTY, TWO, write_cases
 
 from exactsweep.conform import Verdict
+from exactsweep.conform.report.ci import write_junit
 from exactsweep.conform.report.html import write_html
-from exactsweep.conform.report.junit import write_junit
 from exactsweep.conform.report.text import close
 from exactsweep.conform.run.outcome import Outcome
 from exactsweep.conform.run.protocol import Hello

@@ -29,9 +29,8 @@ from exactsweep.conform.run.protocol import (
     adapt,
     read_hello,
 )
-from exactsweep.conform.run.run import SHOWN, Run
+from exactsweep.conform.run.run import SHOWN, Run, Tally
 from exactsweep.conform.run.runner import conform, judge_cases
-from exactsweep.conform.run.tally import Tally
 from exactsweep.corpus import Case, cases
 from exactsweep.corpus.selection import SelectionError
 

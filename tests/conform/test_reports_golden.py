@@ -14,8 +14,8 @@ from exactsweep import __version__
 from exactsweep.cli.pair import DIRECTRIX, GENERATRIX
 from exactsweep.conform.judge.compare import compare
 from exactsweep.conform.judge.verdict import Verdict
+from exactsweep.conform.report.ci import write_junit
 from exactsweep.conform.report.html import write_html
-from exactsweep.conform.report.junit import write_junit
 from exactsweep.conform.report.text import close, describe, write_table
 from exactsweep.conform.run.outcome import judge_case
 from exactsweep.conform.run.peer import CallablePeer

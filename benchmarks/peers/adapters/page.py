@@ -11,7 +11,7 @@ from pathlib import Path
 
 from exactsweep.conform.judge.verdict import Verdict
 from exactsweep.conform.run.outcome import outcome_from_json
-from exactsweep.conform.run.tally import ALL, Tally
+from exactsweep.conform.run.run import ALL, Tally
 
 _RIGHT = (Verdict.EXACT, Verdict.EQUIVALENT, Verdict.EQUIVALENT_EXCEPT_FOR_EXACT_FITS)
 _OTHERS = tuple(v for v in Verdict if v not in (*_RIGHT, Verdict.UNSUPPORTED))

@@ -1,1 +1,1 @@
-"""Judging one answer: comparison, verdict, witness, shrinking."""
+"""The judge of one answer: comparison, diagnosis, verdict and witness."""

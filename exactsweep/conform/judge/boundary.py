@@ -2,14 +2,11 @@
 
 A segment bounds the region if and only if an odd number of edges cover it, in either direction:
 
-    (1)  two regions differ by a set without area if and only if these segments are equal;
-    (2)  segments covered by an even number of edges bound nothing: whiskers, keyholes that connect
-         a ring to a hole, and borders between pieces of a region.
-
-(1) does not depend on crossings, so only collinear edges are compared.
+(1) Two regions differ by a set without area if and only if these segments are equal. This does not
+    depend on crossings, so only collinear edges are compared.
+(2) Segments covered by an even number of edges bound nothing: whiskers, keyholes that connect a
+    ring to a hole, and borders between pieces of a region.
 """
-
-from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Iterable, Iterator, Sequence
@@ -22,36 +19,27 @@ from exactsweep.geometry.canonical import find_doubled_area
 from exactsweep.geometry.vectors import angle_key, is_on_segment, minus, orientation
 from exactsweep.numbers.number import Fit, Loop, Point, PointRings, Vertex
 
+# The slope and the y at x = 0; None and the x of a vertical line.
 _LineKey = tuple[Fraction | None, Fraction]
-"""The slope and the y at x = 0; None and the x of a vertical line."""
 
 
 class RingBoundary(NamedTuple):
-    """The edges of some rings, joined along lines.
+    """The edges of some rings, joined along lines."""
 
-    Attributes:
-        solid: the maximal segments that an odd number of edges cover.
-        through: for each solid segment, the vertices between its ends.
-        doubled: the maximal segments that an even number of edges cover, and rings of one point.
-    """
-
-    solid: tuple[Fit, ...]
-    through: tuple[Loop, ...]
-    doubled: tuple[Fit, ...]
+    solid: tuple[Fit, ...]  # maximal segments that an odd number of edges cover
+    through: tuple[Loop, ...]  # the vertices inside each solid segment
+    doubled: tuple[Fit, ...]  # maximal segments covered an even number of times; rings of one point
 
 
 def find_boundary(rings: PointRings) -> RingBoundary:
     """Find the boundary of the region of arbitrary rings, and their doubled segments, sorted.
 
-    Cost: O(n log n) operations on rationals for n edges.
-
-    Example:
-        >>> square = [Point(Fraction(x), Fraction(y)) for x, y in [(0, 0), (2, 0), (2, 2), (0, 2)]]
-        >>> whisker = [*square, Point(Fraction(0), Fraction(3))]
-        >>> find_boundary([whisker]).solid == find_boundary([square]).solid
-        True
-        >>> [[int(p.y) for p in fit] for fit in find_boundary([whisker]).doubled]
-        [[2, 3]]
+    >>> square = [Point(Fraction(x), Fraction(y)) for x, y in [(0, 0), (2, 0), (2, 2), (0, 2)]]
+    >>> whisker = [*square, Point(Fraction(0), Fraction(3))]
+    >>> find_boundary([whisker]).solid == find_boundary([square]).solid
+    True
+    >>> [[int(p.y) for p in fit] for fit in find_boundary([whisker]).doubled]
+    [[2, 3]]
     """
     lines: dict[_LineKey, list[tuple[Point, int]]] = {}
     points = set()
@@ -112,16 +100,12 @@ def subtract_fits(segments: Iterable[Fit], fits: Iterable[Fit]) -> tuple[list[Fi
 
 
 def are_collinear(points: Sequence[Vertex]) -> bool:
-    """Decide whether points are collinear."""
     low, high = min(points), max(points)
     return not any(orientation(low, high, p) for p in points)
 
 
 def are_bridges(segments: Sequence[Fit], solid: Sequence[Fit]) -> bool:
-    """Decide whether doubled segments connect points of a boundary and have no free ends.
-
-    Cost: O(s^2) for s segments, and O(n) for each end that is no corner, of n solid segments.
-    """
+    """Decide whether doubled segments connect points of a boundary and have no free ends."""
     corners = {*chain.from_iterable(solid)}
     ends = {*chain.from_iterable(segments)}
     near = {p: [segment for segment in segments if is_on_segment(p, *segment)] for p in ends}

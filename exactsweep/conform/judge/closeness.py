@@ -7,25 +7,24 @@ Two regions E and T are closer than a bound r if
 
 in the maximum norm, which keeps all numbers rational. Moving each vertex by less than r changes a
 region by less than r: a point that changes sides lies on the path of a boundary point, so it is
-closer than r / 2 to an end of that path. The number of rings does not matter, nor do contacts of
-rings; but nothing as wide as r is lost or gained.
+closer than r / 2 to an end of that path. Rings may merge, split or touch, but no feature of width r
+is lost or gained. `match_rounded` also accepts loops that trace exact fits.
 
 (1): on each edge, the points closer than r to another edge form an open interval; such intervals
 must cover every edge. (2): the points closer than r / 2 to an edge form an open hexagon; such
 hexagons must cover every trapezoid of the difference.
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterable, Iterator, Sequence
 from fractions import Fraction
 from itertools import chain
-from typing import NamedTuple
+from typing import NamedTuple, Self
 
-from exactsweep.conform.judge.boundary import RingBoundary, find_boundary, trace_rings
+from exactsweep.conform.judge.boundary import RingBoundary, are_bridges, find_boundary, trace_rings
 from exactsweep.conform.judge.region import RegionError, find_differences
 from exactsweep.numbers.addition import add_up
-from exactsweep.numbers.number import Fit, Point, PointRings
+from exactsweep.numbers.number import Fit, Loop, Point, PointRings
+from exactsweep.words import write_pair
 
 
 class _NearEdge(NamedTuple):
@@ -41,7 +40,7 @@ class _NearEdge(NamedTuple):
     strips: tuple[tuple[Fraction, Fraction, Fraction, Fraction], ...]
 
     @classmethod
-    def around(cls, edge: Fit, bound: Fraction) -> _NearEdge:
+    def around(cls, edge: Fit, bound: Fraction) -> Self:
         (ax, ay), (bx, by) = edge
         zero, one = Fraction(0), Fraction(1)
         dx, dy = bx - ax, by - ay
@@ -56,7 +55,6 @@ class _NearEdge(NamedTuple):
         return all(abs(u * p.x + v * p.y - middle) < half for u, v, middle, half in self.strips)
 
     def meets(self, low: Point, high: Point) -> bool:
-        """Decide whether its box and another one overlap."""
         return (
             self.left < high.x and low.x < self.right and self.bottom < high.y and low.y < self.top
         )
@@ -82,23 +80,19 @@ class _NearEdge(NamedTuple):
 
 
 def is_close(p: Point, edge: Fit, bound: Fraction) -> bool:
-    """Decide whether a point is closer than a bound to a segment."""
     return _NearEdge.around(edge, bound).holds(p)
 
 
 def find_box(rings: PointRings) -> tuple[Point, Point]:
-    """Return the lower left and the upper right corner of the bounding box."""
     xs, ys = zip(*chain.from_iterable(rings), strict=True)
     return Point(min(xs), min(ys)), Point(max(xs), max(ys))
 
 
 def is_near(p: Point, q: Point, bound: Fraction) -> bool:
-    """Decide whether two points are equal or closer than a bound."""
     return p == q or all(abs(a - b) < bound for a, b in zip(p, q, strict=True))
 
 
 def are_boxes_near(first: PointRings, second: PointRings, bound: Fraction) -> bool:
-    """Decide whether the bounding boxes of rings permit a distance below a bound."""
     corners = zip(find_box(first), find_box(second), strict=True)
     return all(is_near(p, q, bound) for p, q in corners)
 
@@ -118,12 +112,11 @@ def take_pairs(
 def covers(target: Iterable[Fit], edges: Iterable[Fit], bound: Fraction) -> bool:
     """Decide whether all points of some edges are closer than a positive bound to target edges.
 
-    Cost: linear if edges of equal index in both lists are close, else O(m n).
+    This is linear if edges of equal index in both lists are close, else O(m n).
 
-    Example:
-        >>> a, b, c = (Point(Fraction(x), Fraction(0)) for x in (0, 2, 5))
-        >>> covers([(a, b), (b, c)], [(a, c)], Fraction(1)), covers([(a, b)], [(a, c)], Fraction(1))
-        (True, False)
+    >>> a, b, c = (Point(Fraction(x), Fraction(0)) for x in (0, 2, 5))
+    >>> covers([(a, b), (b, c)], [(a, c)], Fraction(1)), covers([(a, b)], [(a, c)], Fraction(1))
+    (True, False)
     """
     near = [_NearEdge.around(edge, bound) for edge in target]
     hit = 0
@@ -146,16 +139,15 @@ def covers(target: Iterable[Fit], edges: Iterable[Fit], bound: Fraction) -> bool
 def are_close(
     first: PointRings, second: PointRings, bound: Fraction, besides: Sequence[Fit] = ()
 ) -> bool:
-    """Decide whether the regions of two sets of rings are closer than a bound.
+    """Decide whether the regions of two sets of rings are closer than a bound; 0 tests equality.
 
-    The bound 0 tests equality. The second boundary may also be close to the segments `besides`.
-    The result is False if the difference has too many trapezoids.
+    The second boundary may also be close to the segments `besides`. The result is False if the
+    difference has too many trapezoids.
 
-    Example:
-        >>> ring = [Point(Fraction(x), Fraction(y)) for x, y in [(0, 0), (9, 0), (9, 9), (0, 9)]]
-        >>> rounded = [*ring[1:], Point(Fraction(-1, 3), Fraction(0))]
-        >>> [are_close([ring], [rounded], Fraction(1, k)) for k in (2, 3)]
-        [True, False]
+    >>> ring = [Point(Fraction(x), Fraction(y)) for x, y in [(0, 0), (9, 0), (9, 9), (0, 9)]]
+    >>> rounded = [*ring[1:], Point(Fraction(-1, 3), Fraction(0))]
+    >>> [are_close([ring], [rounded], Fraction(1, k)) for k in (2, 3)]
+    [True, False]
     """
     if not are_boxes_near(first, second, bound) and not besides:
         return False
@@ -168,7 +160,6 @@ def are_close(
 def are_boundaries_close(
     one: RingBoundary, other: RingBoundary, bound: Fraction, besides: Sequence[Fit] = ()
 ) -> bool:
-    """Decide `are_close` by boundaries for a positive bound."""
     return (
         covers([*one.solid, *one.doubled, *besides], other.solid, bound)
         and covers([*other.solid, *other.doubled], one.solid, bound)
@@ -199,10 +190,7 @@ def _is_difference_thin(first: PointRings, second: PointRings, bound: Fraction) 
 
 
 def _is_covered(corners: Sequence[Point], edges: Sequence[_NearEdge]) -> bool:
-    """Decide whether open hexagons cover a convex polygon.
-
-    A piece lies outside all hexagons that cut it, so each hexagon cuts it only once.
-    """
+    """Decide whether open hexagons cover a convex polygon; each cuts a piece only once."""
     left = [corners]
     while left:
         piece = left.pop()
@@ -225,3 +213,47 @@ def _clip(corners: Sequence[Point], heights: Sequence[Fraction]) -> list[Point]:
         if after >= 0:
             part.append(q)
     return list(dict.fromkeys(part))
+
+
+_NUMBERS = {2: "two", 3: "three", 4: "four"}
+
+
+def match_rounded(
+    theirs: RingBoundary, exact: RingBoundary, fits: Sequence[Fit], rounding: Fraction
+) -> list[Fit] | None:
+    """Find the fits that rings trace, or None if the regions differ by more than rounding."""
+    if not rounding:
+        return None
+    known = [*exact.solid, *fits]
+    near = [line for line in theirs.doubled if covers(known, [line], rounding)]
+    far = [line for line in theirs.doubled if line not in near]
+    if not (
+        are_bridges(far, [*theirs.solid, *near])
+        and are_boundaries_close(exact, theirs, rounding, fits)
+    ):
+        return None
+    if not fits:
+        return []
+    # Segments that are not close to the loop trace fits.
+    lines = [line for line in (*theirs.solid, *near) if not covers(exact.solid, [line], rounding)]
+    return [fit for fit in fits if covers(lines, [fit], rounding)]
+
+
+def name_joint(exact: Sequence[Loop], theirs: Sequence[Loop], name: str, rounding: Fraction) -> str:
+    """Describe which rings rounding merges or splits, and where; "" if none."""
+    if len(exact) == len(theirs):
+        return ""
+    left = list[Sequence[Point]](theirs)
+    missing = list(take_pairs(exact, left, rounding))
+    is_joined = len(missing) > len(left)
+    several, verb = (missing, "joins") if is_joined else (left, "parts")
+    has_outer = name != "inner_fit" and exact[0] in missing
+    what = "rings" if has_outer or name == "inner_fit" else "holes"
+    for k, ring in enumerate(several):
+        edges = [(other[j - 1], p) for other in several[:k] for j, p in enumerate(other)]
+        place = next((p for p in ring if any(is_close(p, e, 2 * rounding) for e in edges)), None)
+        if place is not None:
+            corners = (p for one in exact for p in one if is_near(p, place, 2 * rounding))
+            at = write_pair(next(corners, place))
+            return f"the rounding {verb} {_NUMBERS.get(len(several), 'several')} {what} at {at}"
+    return f"the rounding leaves {len(theirs)} of {len(exact)} rings"

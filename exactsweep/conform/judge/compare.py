@@ -1,7 +1,5 @@
 """Comparison of an answer with the exact one."""
 
-from __future__ import annotations
-
 from collections.abc import Collection, Iterator, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import replace
@@ -10,11 +8,16 @@ from itertools import islice
 from operator import itemgetter
 
 from exactsweep.conform.judge.boundary import are_bridges, find_boundary, subtract_fits, trace_rings
+from exactsweep.conform.judge.closeness import match_rounded, name_joint
 from exactsweep.conform.judge.diagnosis import diagnose
-from exactsweep.conform.judge.distance import measure_distance
 from exactsweep.conform.judge.fits import judge_fits
-from exactsweep.conform.judge.region import RegionError, Trapezoid, add_areas, find_differences
-from exactsweep.conform.judge.rounded import match_rounded, name_joint
+from exactsweep.conform.judge.region import (
+    RegionError,
+    Trapezoid,
+    add_areas,
+    find_differences,
+    measure_distance,
+)
 from exactsweep.conform.judge.rounding import grant_rounding, name_arithmetic
 from exactsweep.conform.judge.verdict import (
     LOOPS,
@@ -47,13 +50,10 @@ from exactsweep.geometry.region import common_lattice
 from exactsweep.numbers.error import explain_type_errors, quote
 from exactsweep.numbers.number import Fit, Loop
 
-MOST_MEASURED = 3000
-"""Maximum number of edges of both loops for measuring area and distance."""
-MOST_PAIRS = 20_000
-"""Maximum number of pairs of rings examined for overlap: a few seconds."""
+MOST_MEASURED = 3000  # edges of both loops for measuring area and distance
+MOST_PAIRS = 20_000  # pairs of rings examined for overlap: a few seconds
 
-JudgedLoop = tuple[PartComparison, Sequence[Fit]]
-"""A comparison, and the exact fits that the rings trace."""
+JudgedLoop = tuple[PartComparison, Sequence[Fit]]  # with the exact fits that the rings trace
 
 
 @explain_type_errors
@@ -77,14 +77,12 @@ def compare(
         numbers: the numbers of the program, as for `Hello`, or None.
 
     Returns:
-        A Comparison of the parts that the answer has or the program promised. An answer without
-        parts is unsupported. An answer without exact fits states that there are none.
+        A Comparison of all parts that were answered or promised. An answer without parts is
+        unsupported. An answer without exact fits states that there are none.
 
     Raises:
         AnswerError: the answer has the id of another case.
         WitnessError: the definition refutes the expected answer of the case.
-
-    Cost: linear for an exact answer; otherwise that of `judge_loop` and `judge_fits`.
 
     Example:
         >>> case = Case.of("a", "", [(0, 0), (2, 0), (1, 2)], [(0, 0), (1, 0), (1, 1), (0, 1)])
@@ -149,14 +147,7 @@ def _list_parts(
 
 
 def judge_loop(case: Case, name: str, loop: AnsweredLoop, rounding: Fraction) -> JudgedLoop:
-    """Compare an answered loop with the exact one.
-
-    Raises:
-        WitnessError: the definition refutes the expected answer of the case.
-
-    Cost: linear for an exact answer, O(n log n) for an equivalent one; otherwise that of
-        `find_differences`, `measure_distance`, `covers`, `diagnose` and `find_witness`.
-    """
+    """Compare an answered loop with the exact one."""
     exact = list_exact_rings(case, name)
     if _have_same_vertices(loop.rings, exact):
         return _same(name, Verdict.EXACT), ()

@@ -6,8 +6,6 @@ P at another scale or in other axes; the convex hull of P; or the answer to anot
 whole loop must equal that set, so a diagnosis is a proof.
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from fractions import Fraction
 from itertools import chain
@@ -38,8 +36,7 @@ _BOUNDARIES = (
 )
 _MOST_ROUNDED = 16
 _NEARLY = 4
-_POSITIONS = ("trajectory", "no_fit", SUM, "inner_fit")
-"""Loops that depend on the reference point."""
+_POSITIONS = ("trajectory", "no_fit", SUM, "inner_fit")  # depend on the reference point
 
 
 class _DiagnosedRings(NamedTuple):
@@ -64,12 +61,7 @@ class _DiagnosedRings(NamedTuple):
 
 
 def diagnose(case: Case, name: str, rings: PointRings, rounding: Fraction) -> tuple[str, ...]:
-    """Find the questions to which answered rings are the exact answer, up to rounding.
-
-    Returns all matching phrases, most likely first; reference points may coincide.
-
-    Cost: that of a sweep and of several calls of `are_close`; linear if no bounding box matches.
-    """
+    """Name the questions that rings answer exactly, up to rounding; the likeliest comes first."""
     if not any(map(find_doubled_area, rings)):
         return () if rings else ("reports that G does not fit",)
     low, high = find_box(rings)
@@ -169,11 +161,7 @@ def _other_loops(theirs: _DiagnosedRings) -> Iterator[str]:
 
 
 def _other_positions(theirs: _DiagnosedRings) -> list[str]:
-    """List mistakes that explain the answer up to translation, most likely first.
-
-    Mistakes may coincide on symmetric shapes. Usual reference points come first, then reflections
-    and sums, then other points.
-    """
+    """List mistakes that explain the answer up to translation, most likely first."""
     case, rings = theirs.case, theirs.exact
     positions = _map(rings, 1, 0, 0, 1, subtract(ORIGIN, theirs.reference))
     shapes: list[tuple[str, PointRings]] = [("", positions)]
@@ -203,13 +191,13 @@ def _other_positions(theirs: _DiagnosedRings) -> list[str]:
     return [words for _, words in sorted(found, key=itemgetter(0))]
 
 
+# Diagnoses in terms of a Minkowski sum of a = D and b = -G.
 _SUMS = {
     "D + G, G not reflected": "exact for a + (-b), b reflected",
     "exchanged roles, D around G": "exact for -(a + b)",
     "D itself": "a itself",
     "G itself": "-b",
 }
-"""Diagnoses in terms of a Minkowski sum of a = D and b = -G."""
 _GIVEN = "the reference point given"
 _USUAL = ("G's first vertex as reference", "G's origin as reference")
 _AXES = {
@@ -269,13 +257,11 @@ def _name_offsets(theirs: _DiagnosedRings, offset: Point) -> Iterator[str]:
 
 
 def _find_offset(shape: PointRings, theirs: _DiagnosedRings) -> Point | None:
-    """Find a translation from some rings to the answered ones."""
     by = subtract(theirs.low, find_box(shape)[0])
     return by if theirs.are(_map(shape, 1, 0, 0, 1, by), 2) else None
 
 
 def _find_scale(theirs: _DiagnosedRings) -> Fraction | None:
-    """Find a scale factor from the exact rings to the answered ones."""
     low, high = find_box(theirs.exact)
     factor = (theirs.high.x - theirs.low.x) / (high.x - low.x)
     scaled = [[Point(x * factor, y * factor) for x, y in ring] for ring in theirs.exact]

@@ -1,18 +1,9 @@
 """Comparison of answered exact fits with the expected ones.
 
-Differences:
-
-- missing: no position is answered;
-- too short: some positions are answered;
-- too long: the answer extends an exact fit;
-- invented: the answer is on no exact fit;
-- given twice, or in pieces: the positions are right;
-- rounded: the positions are off by less than the rounding;
-- whisker: the loop traces the fit. Orbiting programs enter an exact slot and leave it on the same
-  path.
+A fit is missing if no position is answered, and too short if some are. An answer is too long if it
+extends a fit, and invented if it is on none. A fit is a whisker if the loop traces it: orbiting
+programs enter an exact slot and leave it on the same path.
 """
-
-from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
@@ -44,10 +35,7 @@ def judge_fits(
     whiskers: Sequence[Fit] = (),
     name: str = NAME,
 ) -> PartComparison:
-    """Compare answered exact fits with the expected ones.
-
-    Cost: O(f t) for f segments and t edges of the trajectory, times that of `classify`.
-    """
+    """Compare answered exact fits, and those that loops trace, with the expected ones."""
 
     def show(position: Point, which: str) -> Witness:
         found = at_position(case, position, inside=name == INSIDE)
@@ -121,10 +109,7 @@ def _unite_to_one(one: Fit, other: Fit) -> bool:
 
 
 def _places(case: Case, segment: Fit, name: str) -> Iterator[Point]:
-    """Yield the ends of a segment and positions between its crossings with loops and fits.
-
-    Between two crossings, all positions overlap or none does.
-    """
+    """Yield the ends of a segment, and positions between its crossings with loops and fits."""
     p, q = segment
     ends = {p, q}
     rings = list_exact_rings(case, "inner_fit" if name == INSIDE else "no_fit")
@@ -132,5 +117,6 @@ def _places(case: Case, segment: Fit, name: str) -> Iterator[Point]:
         crossings = (crossing_of(p, q, ring[k - 1], b) for k, b in enumerate(ring))
         ends |= {c for c in crossings if c} | {v for v in ring if is_on_segment(v, p, q)}
     yield from dict.fromkeys(segment)
+    # Between two crossings, all positions overlap or none does.
     for a, b in pairwise(sorted(ends, reverse=q < p)):
         yield find_middle(a, b)

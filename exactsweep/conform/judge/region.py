@@ -5,45 +5,40 @@ orientation, and enclose holes.
 
 Vertical lines through all vertices cut the plane into slabs, which edges cross from side to side.
 Two edges cross inside a slab if and only if their order at its sides is opposite; vertical lines
-through these crossings cut it further. Then neighbouring edges bound trapezoids, and each edge
+through these crossings cut it further. Then neighboring edges bound trapezoids, and each edge
 changes the parity of its region. The trapezoids in exactly one region form the difference.
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterable, Iterator, Sequence
 from fractions import Fraction
-from itertools import pairwise
+from itertools import chain, pairwise
+from math import lcm
 from typing import NamedTuple
 
+from exactsweep.geometry.distance import measure_to_edge
 from exactsweep.numbers.addition import add_up
 from exactsweep.numbers.error import ExactSweepError
-from exactsweep.numbers.number import Fit, Point, PointRings
+from exactsweep.numbers.number import Fit, Point, PointRings, Rational
 
 Height = tuple[Fraction, Fraction]
 
-MAX_WORK = 300_000
-"""Maximum number of edges summed over all slabs: about 15 seconds."""
+MAX_WORK = 300_000  # edges summed over all slabs: about 15 seconds
 
 _PARTS = tuple((Fraction(a, 9), Fraction(b, 9)) for a, b in ((3, 6), (1, 2), (7, 8)))
 
 
 class Trapezoid(NamedTuple):
-    """An open trapezoid in exactly one of two regions, the first or the second.
-
-    `low` and `high` have the y of the lower and the upper edge at the left and the right side.
-    """
+    """An open trapezoid in exactly one of two regions, the first or the second."""
 
     first: bool
     left: Fraction
     right: Fraction
-    low: Height
-    high: Height
+    low: Height  # y of the lower edge at both sides
+    high: Height  # y of the upper edge
     edges: tuple[Fit, ...] = ()
 
     @property
     def area(self) -> Fraction:
-        """The positive area."""
         gaps = self.high[0] - self.low[0] + self.high[1] - self.low[1]
         return gaps * (self.right - self.left) / 2
 
@@ -79,25 +74,20 @@ Ordered = Sequence[tuple[Height, _RegionEdge]]
 
 
 class RegionError(ExactSweepError):
-    """Rings with too many crossings, or too many edges in one slab."""
+    pass
 
 
 def find_differences(first: PointRings, second: PointRings) -> Iterator[Trapezoid]:
     """Yield the trapezoids in exactly one of two regions, from left to right.
 
-    There are none if and only if the regions differ by a set without area.
+    There are none if and only if the regions differ by a set without area. A RegionError is raised
+    if the work would exceed MAX_WORK. The cost is O((n + k) w log w) for n edges with k crossings,
+    at most w in one slab.
 
-    Raises:
-        RegionError: the work would exceed MAX_WORK.
-
-    Cost: O((n + k) w log w) operations on rationals for n edges with k crossings, at most w in one
-    slab.
-
-    Example:
-        >>> square = [Point(Fraction(x), Fraction(y)) for x, y in [(0, 0), (2, 0), (2, 2), (0, 2)]]
-        >>> bow_tie = [square[k] for k in (0, 2, 1, 3)]
-        >>> sum(cell.area for cell in find_differences([square], [bow_tie]))
-        Fraction(2, 1)
+    >>> square = [Point(Fraction(x), Fraction(y)) for x, y in [(0, 0), (2, 0), (2, 2), (0, 2)]]
+    >>> bow_tie = [square[k] for k in (0, 2, 1, 3)]
+    >>> sum(cell.area for cell in find_differences([square], [bow_tie]))
+    Fraction(2, 1)
     """
     for left, right, ordered in _cut([*_edges(first, 0), *_edges(second, 1)]):
         inside = [False, False]
@@ -134,7 +124,6 @@ def _cut(edges: list[_RegionEdge]) -> Iterator[tuple[Fraction, Fraction, Ordered
 
 
 def add_areas(cells: Iterable[Trapezoid]) -> Fraction:
-    """Return the sum of areas."""
     return add_up(cell.area for cell in cells)
 
 
@@ -143,9 +132,8 @@ def find_simplest(low: Fraction, high: Fraction) -> Fraction:
 
     It uses continued fractions without recursion, since numbers may be long.
 
-    Example:
-        >>> find_simplest(Fraction(31, 100), Fraction(36, 100))
-        Fraction(1, 3)
+    >>> find_simplest(Fraction(31, 100), Fraction(36, 100))
+    Fraction(1, 3)
     """
     if low <= 0 <= high:
         return Fraction(0)
@@ -185,3 +173,37 @@ def _crossings(ordered: Ordered) -> Iterator[Fraction]:
 
 def _order(left: Fraction, right: Fraction, edges: Sequence[_RegionEdge]) -> Ordered:
     return sorted(((edge.at(left), edge.at(right)), edge) for edge in edges)
+
+
+def measure_distance(first: PointRings, second: PointRings) -> Fraction:
+    """Return the greatest squared distance of a vertex from the boundary of the other rings.
+
+    It is symmetric, 0 for equal loops, and at most the square of the Hausdorff distance. Both loops
+    must have vertices. The cost is O(m n), but linear in the vertices that both loops have.
+
+    >>> from exactsweep import Point
+    >>> square = [Point(Fraction(x), Fraction(y)) for x, y in [(0, 0), (4, 0), (4, 4), (0, 4)]]
+    >>> dented = [*square[:3], Point(Fraction(2), Fraction(3)), square[3]]
+    >>> measure_distance([square], [dented])
+    Fraction(1, 1)
+    """
+    scale = lcm(*(c.denominator for c in chain.from_iterable(chain(*first, *second))))
+    one, other = (
+        [[(int(x * scale), int(y * scale)) for x, y in ring] for ring in rings]
+        for rings in (first, second)
+    )
+    n: Rational = 0
+    d: Rational = 1
+    for rings, target in ((one, other), (other, one)):
+        edges = [(ring[k - 1], p) for ring in target for k, p in enumerate(ring)]
+        for p in {*chain(*rings)}.difference(*target):
+            least, unit = measure_to_edge(p, edges[0])
+            for edge in edges:
+                found = measure_to_edge(p, edge)
+                if found[0] * unit < least * found[1]:
+                    least, unit = found
+                if least * d <= n * unit:
+                    break
+            else:
+                n, d = least, unit
+    return Fraction(n, d * scale * scale)

@@ -1,7 +1,5 @@
 """Permitted coordinate errors, and a diagnosis of arithmetic errors."""
 
-from __future__ import annotations
-
 import struct
 import sys
 from collections.abc import Callable, Iterator
@@ -13,7 +11,6 @@ from math import floor, ulp
 from exactsweep.conform.judge.verdict import LOOPS, AnsweredLoop
 from exactsweep.conform.judge.witness import SUM, list_exact_rings
 from exactsweep.corpus import Case
-from exactsweep.geometry.region import AnyPolygon
 from exactsweep.numbers.number import Point, PointRings
 
 Change = Callable[[Fraction], Fraction]
@@ -25,10 +22,10 @@ _WIDTHS = (32, 64, 16, 8)
 BEYOND = Fraction(2**1024 - 2**970)
 _BEYOND_SINGLE = Fraction(2**128 - 2**103 - 2**74)
 
+# Units in the last place of the largest coordinate, for sums of three vertices and a crossing.
 ULPS = 16
-"""Units in the last place of the largest coordinate, for sums of three vertices and a crossing."""
+# The additional fraction of the smaller polygon's size, for nearly parallel edges.
 SHARE = Fraction(1, 2**32)
-"""The additional fraction of the smaller polygon's size, for nearly parallel edges."""
 _NEAREST = Fraction(9, 16)
 _GREATEST = Fraction(sys.float_info.max)
 
@@ -46,12 +43,8 @@ def grant_rounding(case: Case, name: str, loop: AnsweredLoop, numbers: str | Non
 
 def measure_smaller(case: Case) -> Fraction:
     """Return the size of the smaller polygon: its width or height, whichever is greater."""
-    return min(_size(case.directrix), _size(case.generatrix))
-
-
-def _size(shape: AnyPolygon) -> Fraction:
-    low, high = shape.bounding_box
-    return max(high.x - low.x, high.y - low.y)
+    boxes = case.directrix.bounding_box, case.generatrix.bounding_box
+    return min(max(high.x - low.x, high.y - low.y) for low, high in boxes)
 
 
 def _largest(case: Case) -> Fraction:
@@ -63,14 +56,12 @@ def _largest(case: Case) -> Fraction:
 def name_arithmetic(exact: PointRings, theirs: PointRings) -> tuple[str, ...]:
     """Name the arithmetic errors that explain all vertices of a loop, most likely first.
 
-    For example "rounded to integers", "rounded to 6 digits" or "wraps around at 32 bits". The
-    answered rings may cross.
+    Examples are "rounded to integers" and "wraps around at 32 bits". The answered rings may cross.
 
-    Example:
-        >>> third = [[Point(Fraction(0), Fraction(0)), Point(Fraction(1), Fraction(1, 3))]]
-        >>> theirs = [[Point(Fraction(0), Fraction(0)), Point(Fraction(1), Fraction(33, 100))]]
-        >>> name_arithmetic(third, theirs)
-        ('rounded to 2 decimals',)
+    >>> third = [[Point(Fraction(0), Fraction(0)), Point(Fraction(1), Fraction(1, 3))]]
+    >>> theirs = [[Point(Fraction(0), Fraction(0)), Point(Fraction(1), Fraction(33, 100))]]
+    >>> name_arithmetic(third, theirs)
+    ('rounded to 2 decimals',)
     """
     points = {*chain.from_iterable(exact)}
     answered = {*chain.from_iterable(theirs)}
@@ -102,7 +93,7 @@ def _print(c: Fraction, form: str) -> Fraction:
 
 
 def to_double(c: Fraction) -> Fraction:
-    """Round to the nearest double; leave numbers beyond the greatest double."""
+    """Round to the nearest double; keep numbers beyond the greatest double."""
     return Fraction(float(c)) if abs(c) < BEYOND else c
 
 

@@ -1,7 +1,5 @@
 """Verdicts on answers, and a reader of answers."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from dataclasses import asdict, dataclass
 from enum import StrEnum
@@ -34,7 +32,7 @@ class Verdict(StrEnum):
     - unsound: E contains T. An answered trajectory permits overlap.
     - wrong: neither region contains the other, or they differ and have too many edges to compare.
     - malformed: unreadable or missing; or T is neither E nor a rounded E, and its rings cross,
-      overlap, enclose nothing, or trace a line twice that is no exact fit and connects no rings.
+      overlap or enclose nothing, or trace a line twice that is no exact fit and connects no rings.
     - timeout, memory, crash, unsupported: there is no answer.
     - undecided: the comparison took too long.
 
@@ -60,7 +58,7 @@ class Verdict(StrEnum):
 
     @property
     def severity(self) -> int:
-        """The rank of the verdict, 0 for exact."""
+        """The rank of the verdict; 0 for exact."""
         return [*Verdict].index(self)
 
     @property
@@ -75,10 +73,10 @@ class Witness:
 
     Attributes:
         says: a description in one sentence.
-        translation: the translation of G, or None for a witness that is no position.
+        translation: the translation of G, or None if the witness is not a position.
         classified: the verdict of `classify` on the translation, or None.
-        point: for an OVERLAP a point in both interiors; for the inner and the outer loop the point
-            that G can or cannot cover; or None.
+        point: for an OVERLAP, a point in both interiors; for the inner and the outer loop, the
+            point that G can or cannot cover; or None.
     """
 
     says: str
@@ -119,7 +117,7 @@ class PartComparison:
 
     @property
     def area(self) -> Fraction | None:
-        """Area of the symmetric difference of E and T; None if it is not defined."""
+        """The area of the symmetric difference of E and T; None if it is not defined."""
         if self.permitted is None or self.forbidden is None:
             return None
         return self.permitted + self.forbidden
@@ -134,8 +132,8 @@ class Comparison:
     """The comparison of an answer with the exact one, or the reason why there is no answer.
 
     Attributes:
-        id: of the case.
-        verdict: the worst of the parts.
+        id: the id of the case.
+        verdict: the worst verdict of the parts.
         reason: one line, from the worst part.
         parts: tuple of PartComparison, loops first.
     """
@@ -151,28 +149,24 @@ class Comparison:
         return max(self.parts, key=lambda part: part.verdict.severity, default=None)
 
     def to_json(self) -> dict[str, Any]:
-        """Return plain data, numbers as strings."""
+        """Return plain data with numbers as strings."""
         parts = [part.to_json() for part in self.parts]
         return vars(self) | {"verdict": self.verdict.value, "parts": parts}
 
 
 LOOPS = ("trajectory", "inner", "outer", "no_fit", "minkowski_sum", "inner_fit")
-"""The loops in answers."""
 
 
 class AnswerError(ExactSweepError):
-    """An unreadable answer; the message names the place."""
+    """An unreadable answer; the message states where."""
 
 
 class AnsweredLoop(NamedTuple):
-    """One answered loop."""
-
     rings: tuple[Loop, ...]
     has_floats: bool
 
     @property
     def is_integer(self) -> bool:
-        """Whether all coordinates are integers and none is a float."""
         return not self.has_floats and all(
             c.denominator == 1 for ring in self.rings for point in ring for c in point
         )
@@ -181,19 +175,12 @@ class AnsweredLoop(NamedTuple):
 def read_loop(value: object, path: str, *, may_be_empty: bool = False) -> AnsweredLoop:
     """Read a loop: a ring, which is a list of pairs of numbers, or a list of rings, open or closed.
 
-    Raises:
-        AnswerError: the value is no loop, a number is not finite, a ring is empty, or there are
-            more vertices than `limits` allow.
-
-    Cost: linear.
-
-    Example:
-        >>> loop = read_loop([[0, 0], [0.5, 0], ["1/3", 1], [0, 0]], "$.inner")
-        >>> len(loop.rings[0]), loop.has_floats
-        (3, True)
-        >>> read_loop([[0, 0], [1, float("nan")]], "$.inner")
-        Traceback (most recent call last):
-        exactsweep.conform.judge.verdict.AnswerError: $.inner[1]: nan is not a finite number
+    >>> loop = read_loop([[0, 0], [0.5, 0], ["1/3", 1], [0, 0]], "$.inner")
+    >>> len(loop.rings[0]), loop.has_floats
+    (3, True)
+    >>> read_loop([[0, 0], [1, float("nan")]], "$.inner")
+    Traceback (most recent call last):
+    exactsweep.conform.judge.verdict.AnswerError: $.inner[1]: nan is not a finite number
     """
     outermost = _list(value, path, "a list of vertices")
     if not outermost:
@@ -220,11 +207,7 @@ def read_loop(value: object, path: str, *, may_be_empty: bool = False) -> Answer
 
 
 def read_segments(value: object, path: str) -> AnsweredLoop:
-    """Read exact fits, a list of pairs of points, each as a ring of two points.
-
-    Raises:
-        AnswerError: the value is no such list.
-    """
+    """Read exact fits, a list of pairs of points, each as a ring of two points."""
     read = []
     for k, pair in enumerate(_list(value, path, "a list of segments")):
         place = f"{path}[{k}]"
@@ -236,7 +219,6 @@ def read_segments(value: object, path: str) -> AnsweredLoop:
 
 
 def _read_points(pairs: Sequence[object], path: str) -> tuple[Loop, bool]:
-    """Read points, and find whether some coordinate is a float."""
     points, has_floats = [], False
     for k, pair in enumerate(pairs):
         found = _list(pair, f"{path}[{k}]", "a pair of numbers")
@@ -257,5 +239,5 @@ def _list(value: object, path: str, what: str) -> Sequence[object]:
 
 
 def name_kind(value: object) -> str:
-    """Name the type of any value; a Python function may return anything."""
+    """Name the type of any value that a Python function may return."""
     return describe_kind(value) if isinstance(value, (dict, list, str, bool)) else quote(value)

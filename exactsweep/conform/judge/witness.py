@@ -11,8 +11,6 @@ So the witness for a point of an inner or outer loop is a translation in H(p), o
 if there is none.
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterable, Iterator
 from dataclasses import replace
 from fractions import Fraction
@@ -43,8 +41,8 @@ NAME = "exact_fits"
 INSIDE = "inner_exact_fits"
 SUM = "minkowski_sum"
 PART_NAMES = {**LOOP_NAMES, NAME: "exact fits", INSIDE: "exact fits inside"}
+# The exact fits of loops of positions; those of a sum are its slits.
 FITS_OF = {"trajectory": NAME, "no_fit": NAME, SUM: NAME, "inner_fit": INSIDE}
-"""The exact fits of loops of positions; those of a sum are its slits."""
 
 _DOES = {
     "FREE": "does not touch D",
@@ -62,10 +60,10 @@ _SEVERITY = tuple(_DOES)
 def list_exact_rings(case: Case, name: str) -> tuple[tuple[Point, ...], ...]:
     """List the rings of an exact loop, counter-clockwise: the exterior, then the holes.
 
-    The inner loop precedes other unswept regions. An exact fit is a ring of two points. The
-    Minkowski sum of a = D and b = -G is the no-fit polygon for the origin of G.
+    The inner loop precedes other unswept regions. An exact fit is a ring of two points.
     """
     if name == SUM:
+        # The sum of a = D and b = -G is the no-fit polygon for the origin of G.
         by = subtract(ORIGIN, case.reference)
         return tuple(tuple(add(p, by) for p in ring) for ring in list_exact_rings(case, "no_fit"))
     if name == "inner_fit":
@@ -90,15 +88,11 @@ def list_exact_fits(case: Case, name: str) -> tuple[Fit, ...]:
 
 
 class WitnessError(ExactSweepError):
-    """A case whose expected answer contradicts the definition; the message names the place."""
+    """A case whose expected answer contradicts the definition; the message states where."""
 
 
 def find_witness(case: Case, name: str, theirs: PointRings, cells: Iterable[Trapezoid]) -> Witness:
-    """Find a Witness with short coordinates that proves an answered loop wrong.
-
-    Raises:
-        WitnessError: the definition refutes the expected answer of the case.
-    """
+    """Find a Witness with short coordinates that proves an answered loop wrong."""
     cell = max(cells, key=lambda cell: cell.area)
     show = {"inner": _of_inner, "outer": _of_outer}.get(name, partial(_of_positions, name=name))
     for point in cell.points():
@@ -207,7 +201,6 @@ def _onto(case: Case, point: Point) -> AnyPolygon:
 
 
 def _positions(case: Case) -> Polygon:
-    """Return the exact trajectory of G's origin."""
     return case.trajectory.translated((-case.reference.x, -case.reference.y))
 
 
@@ -223,7 +216,6 @@ def _on_boundary(positions: Polygon, onto: AnyPolygon) -> Iterator[Point]:
 
 
 def crossing_of(a: Point, b: Point, c: Point, d: Point) -> Point | None:
-    """Find the common point of two closed segments that are not parallel."""
     of_a, of_b, of_c, of_d = (
         orientation(c, d, a),
         orientation(c, d, b),
@@ -237,15 +229,12 @@ def crossing_of(a: Point, b: Point, c: Point, d: Point) -> Point | None:
 
 
 def find_middle(p: Point, q: Point) -> Point:
-    """Return the midpoint of two points."""
     return Point((p.x + q.x) / 2, (p.y + q.y) / 2)
 
 
 def add(p: Point, q: Point) -> Point:
-    """Add two points."""
     return Point(p.x + q.x, p.y + q.y)
 
 
 def subtract(p: Point, q: Point) -> Point:
-    """Subtract a point from another one."""
     return Point(p.x - q.x, p.y - q.y)

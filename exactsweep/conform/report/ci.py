@@ -1,19 +1,17 @@
-"""Annotations and a badge of a run, for continuous integration."""
-
-from __future__ import annotations
+"""A run for continuous integration: JUnit XML, annotations and a badge."""
 
 import json
+from collections.abc import Mapping
 from itertools import chain, islice
+from xml.etree import ElementTree
 
 from exactsweep.conform.judge.verdict import Verdict
 from exactsweep.conform.report.text import tell_witness
 from exactsweep.conform.run.outcome import Outcome, list_witnesses
 from exactsweep.conform.run.peer import replace_controls
-from exactsweep.conform.run.run import Run
-from exactsweep.conform.run.tally import fails
+from exactsweep.conform.run.run import Run, fails
 
-MOST_ANNOTATIONS = 10
-"""GitHub shows no more for a step."""
+MOST_ANNOTATIONS = 10  # GitHub shows no more for a step
 _EXACT = (Verdict.EXACT, Verdict.EQUIVALENT, Verdict.EQUIVALENT_EXCEPT_FOR_EXACT_FITS)
 
 
@@ -29,10 +27,7 @@ def write_badge(run: Run) -> str:
 
 
 def write_annotations(run: Run) -> str:
-    """Write a GitHub Actions annotation for the smallest case of each fault, the worst first.
-
-    Objections come last; there are at most MOST_ANNOTATIONS lines.
-    """
+    """Write GitHub Actions annotations: the smallest case of each fault, then objections."""
     lines = [
         _annotate(f"{one.id} {one.verdict}", one, fault.count - 1)
         for fault in run.list_faults()
@@ -57,3 +52,80 @@ def _write_command(title: str, words: str) -> str:
 def _escape(text: str, more: str = "") -> str:
     text = replace_controls(text)
     return "".join(f"%{ord(c):02X}" if c in f"%\r\n{more}" else c for c in text)
+
+
+_ERRORS = (Verdict.TIMEOUT, Verdict.MEMORY, Verdict.CRASH)
+
+
+def write_junit(run: Run) -> str:
+    """Write a run as JUnit XML with a test case for each case and each objection.
+
+    Crashes, timeouts and exceeded memory limits are errors, other failing verdicts and objections
+    are failures, and unjudged cases are skipped.
+    """
+    summary, objections = run.summary, run.find_objections()
+    errors = sum(summary.total(v) for v in _ERRORS if fails(v, run.accepted))
+    suites = ElementTree.Element("testsuites")
+    suite = _add(
+        suites,
+        "testsuite",
+        name=run.hello.name,
+        tests=summary.total() + len(objections),
+        failures=summary.failures(run.accepted) - errors + len(objections),
+        errors=errors,
+        skipped=summary.total() - summary.judged,
+        time=f"{summary.seconds:.3f}",
+    )
+    _add_properties(suite, {"judged": summary.judged, "diagnosis": summary.diagnosis()})
+    for outcome in run.list_outcomes():
+        _add_case(suite, outcome, run.accepted)
+    for objection in objections:
+        case = _add(suite, "testcase", classname="run", name=objection)
+        _add(case, "failure", message=objection)
+    ElementTree.indent(suites)
+    written: str = ElementTree.tostring(suites, encoding="unicode")
+    return f'<?xml version="1.0" encoding="UTF-8"?>\n{written}\n'
+
+
+def _add(
+    parent: ElementTree.Element, tag: str, text: str = "", **attributes: object
+) -> ElementTree.Element:
+    """Add an element without control characters, which XML forbids."""
+    clean = {name: replace_controls(str(value)) for name, value in attributes.items()}
+    element = ElementTree.SubElement(parent, tag, clean)
+    element.text = replace_controls(text) or None
+    return element
+
+
+def _add_properties(element: ElementTree.Element, named: Mapping[str, object]) -> None:
+    known = {name: value for name, value in named.items() if value not in ("", None)}
+    if known:
+        properties = _add(element, "properties")
+        for name, value in known.items():
+            _add(properties, "property", name=name, value=value)
+
+
+def _add_case(suite: ElementTree.Element, outcome: Outcome, accepted: Verdict) -> None:
+    verdict, reason = outcome.verdict, outcome.reason
+    seconds = f"{outcome.seconds:.6f}"
+    case = _add(suite, "testcase", classname=outcome.kind, name=outcome.id, time=seconds)
+    is_failure = fails(verdict, accepted)
+    granted = [f"{part['name']} {part['granted']}" for part in outcome.parts if part["granted"]]
+    fault = outcome.fault if is_failure else ""
+    named = {"fault": fault, "memory": outcome.memory, "rounding granted": ", ".join(granted)}
+    _add_properties(case, named)
+    if not verdict.is_judgement:
+        _add(case, "skipped", message=reason)
+    elif is_failure:
+        tag = "error" if verdict in _ERRORS else "failure"
+        _add(case, tag, "\n".join(_lines(outcome)), type=verdict, message=reason)
+        if outcome.stderr:
+            _add(case, "system-err", outcome.stderr)
+
+
+def _lines(outcome: Outcome) -> list[str]:
+    lines = [f"{outcome.verdict}: {outcome.reason}"]
+    for part in outcome.parts:
+        said = [*part["diagnosis"], *chain(*map(tell_witness, list_witnesses(part)))]
+        lines += (f"{part['name']}: {words}" for words in said)
+    return lines

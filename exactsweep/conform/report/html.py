@@ -4,8 +4,6 @@ Pictures of failures show the exact loop, the answered one and the witness. Coor
 exactly before they become floats, so a picture shows even an error of one part in 10^15.
 """
 
-from __future__ import annotations
-
 import json
 from collections.abc import Iterable, Sequence
 from contextlib import suppress
@@ -27,8 +25,7 @@ from exactsweep.conform.report.unit_test import guess_language, write_unit_test
 from exactsweep.conform.run.outcome import Outcome, list_witnesses
 from exactsweep.conform.run.peer import replace_controls
 from exactsweep.conform.run.protocol import list_reflected_rings
-from exactsweep.conform.run.run import SHOWN, Run
-from exactsweep.conform.run.tally import fails, read_any_length
+from exactsweep.conform.run.run import SHOWN, Run, fails, read_any_length
 from exactsweep.corpus import Case, case_from_json
 from exactsweep.numbers.number import Loop, Point
 from exactsweep.text.report import approximate, take_root
@@ -51,8 +48,13 @@ _WORTH_ZOOMING = 20
 Layer = tuple[str, Sequence[Sequence[Point]], bool]
 
 
+class Panel(NamedTuple):
+    caption: str
+    paths: dict[str, str]
+    witness: tuple[float, float] | None
+
+
 def write_html(run: Run) -> str:
-    """Write a run as an HTML page with pictures of failures; the program's output is escaped."""
     environment = make_environment()
     environment.filters |= {
         "about": _about,
@@ -119,14 +121,6 @@ def _about(value: Fraction) -> str:
     return rounded if Fraction(Decimal(rounded)) == value else f"about {rounded}"
 
 
-class Panel(NamedTuple):
-    """A square picture, SIDE pixels wide."""
-
-    caption: str
-    paths: dict[str, str]
-    witness: tuple[float, float] | None
-
-
 class _Scene(NamedTuple):
     """The layers of a picture, in the coordinates of the case."""
 
@@ -143,8 +137,8 @@ class _Scene(NamedTuple):
 def draw_panels(outcome: Outcome) -> list[Panel]:
     """Draw the worst part of an outcome with its case, or the exact trajectory if there is none.
 
-    The first panel shows everything. Others show the surroundings of D, if the witness is far away,
-    and the surroundings of the witness, if the error is too small to be visible.
+    The first panel shows everything. Others enlarge D if the witness is far away, and the witness
+    if the error is too small to be visible.
     """
     name = outcome.worst["name"] if outcome.worst else "trajectory"
     scene = _scene(case_from_json(outcome.case), outcome, name)
@@ -186,7 +180,6 @@ def _scene(case: Case, outcome: Outcome, name: str) -> _Scene:
 
 
 def _read_rings(outcome: Outcome, name: str) -> tuple[Loop, ...]:
-    """Read the answered rings of a part; return () if they are unreadable."""
     with suppress(AnswerError):
         return read_loop((outcome.result or {}).get(name), name).rings
     return ()

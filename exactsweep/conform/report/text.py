@@ -1,7 +1,5 @@
 """Comparisons and runs as text."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from typing import Any
 
@@ -9,8 +7,7 @@ from exactsweep.conform.judge.verdict import Comparison, PartComparison, Verdict
 from exactsweep.conform.judge.witness import PART_NAMES
 from exactsweep.conform.run.outcome import list_witnesses
 from exactsweep.conform.run.peer import cut
-from exactsweep.conform.run.run import Run
-from exactsweep.conform.run.tally import Tally, fails
+from exactsweep.conform.run.run import Run, Tally, fails
 from exactsweep.text.report import approximate, lay_out, make_table, take_root
 from exactsweep.words import count
 
@@ -20,18 +17,17 @@ _LISTED = 20
 def describe(comparison: Comparison) -> str:
     """Write a comparison: the verdict, and each part with its verdict, errors and witnesses.
 
-    Example:
-        >>> from exactsweep.conform.judge.compare import compare
-        >>> from exactsweep.corpus import Case
-        >>> square = [(0, 0), (1, 0), (1, 1), (0, 1)]
-        >>> case = Case.of("a", "", square, square)
-        >>> print(describe(compare(case, {"trajectory": [[-1, -1], [1, -1], [0, 1]]})), end="")
-        a: unsound
-        trajectory: unsound, part of the exact trajectory is missing
-          vertices off by up to 0.894427, area 2
-          at (-1/2,1/2) G overlaps D; it is outside the answered trajectory
-          translation (-1/2,1/2): OVERLAP, point (1/4,3/4)
-        exact fits: exact
+    >>> from exactsweep.conform.judge.compare import compare
+    >>> from exactsweep.corpus import Case
+    >>> square = [(0, 0), (1, 0), (1, 1), (0, 1)]
+    >>> case = Case.of("a", "", square, square)
+    >>> print(describe(compare(case, {"trajectory": [[-1, -1], [1, -1], [0, 1]]})), end="")
+    a: unsound
+    trajectory: unsound, part of the exact trajectory is missing
+      vertices off by up to 0.894427, area 2
+      at (-1/2,1/2) G overlaps D; it is outside the answered trajectory
+      translation (-1/2,1/2): OVERLAP, point (1/4,3/4)
+    exact fits: exact
     """
     lines = [f"{comparison.id}: {comparison.verdict}"]
     if not comparison.parts:
@@ -67,16 +63,15 @@ def tell_witness(witness: Mapping[str, Any]) -> list[str]:
 def write_table(summary: Tally, terminal_width: int | None = None) -> str:
     """Write the counts of verdicts for each class and flag, with colors on a terminal.
 
-    Example:
-        >>> from exactsweep.conform.run.outcome import Outcome
-        >>> from exactsweep.conform.judge.verdict import Verdict
-        >>> outcomes = [Outcome("a", "CC", ("undercut",), Verdict.EXACT),
-        ...             Outcome("b", "CC", (), Verdict.WRONG)]
-        >>> print(write_table(Tally(outcomes)), end="")
-                  cases  exact  wrong
-        all           2      1      1
-        CC            2      1      1
-        undercut      1      1
+    >>> from exactsweep.conform.run.outcome import Outcome
+    >>> from exactsweep.conform.judge.verdict import Verdict
+    >>> outcomes = [Outcome("a", "CC", ("undercut",), Verdict.EXACT),
+    ...             Outcome("b", "CC", (), Verdict.WRONG)]
+    >>> print(write_table(Tally(outcomes)), end="")
+              cases  exact  wrong
+    all           2      1      1
+    CC            2      1      1
+    undercut      1      1
     """
     verdicts = summary.verdicts()
     heads = ("cases", *verdicts)
@@ -115,5 +110,4 @@ def close(run: Run) -> str:
 
 
 def write_counts(summary: Tally) -> str:
-    """Write the counts of verdicts on one line."""
     return ", ".join(f"{summary.total(verdict)} {verdict}" for verdict in summary.verdicts())

@@ -1,7 +1,5 @@
 """A failure as source code for a unit test in the language of the program."""
 
-from __future__ import annotations
-
 import re
 from collections.abc import Iterable, Sequence
 from fractions import Fraction
@@ -62,13 +60,12 @@ def write_unit_test(
 ) -> str:
     """Write rings as constants of a language.
 
-    Example:
-        >>> from exactsweep import Point
-        >>> ring = [Point(Fraction(0), Fraction(1)), Point(Fraction(1, 3), Fraction(2))]
-        >>> print(write_unit_test([("exact", [ring])], "JavaScript", "binary64", "a"), end="")
-        // a
-        const exact = [[[0.0, 1.0], [0.3333333333333333, 2.0]]];
-        // exact, exactly: (0,1) (1/3,2)
+    >>> from exactsweep import Point
+    >>> ring = [Point(Fraction(0), Fraction(1)), Point(Fraction(1, 3), Fraction(2))]
+    >>> print(write_unit_test([("exact", [ring])], "JavaScript", "binary64", "a"), end="")
+    // a
+    const exact = [[[0.0, 1.0], [0.3333333333333333, 2.0]]];
+    // exact, exactly: (0,1) (1/3,2)
     """
     how = _LANGUAGES[language]
     is_double = numbers == "binary64"
@@ -82,17 +79,15 @@ def write_unit_test(
         value = _surround(how.brackets, (_surround(how.brackets, ring) for ring in points))
         lines.append(how.line.format(name=name, value=value, type=kind))
         if is_double and any(to_double(c) != c for ring in rings for p in ring for c in p):
-            exact = "; ".join(" ".join(map(_write_exactly, ring)) for ring in rings)
+            exact = "; ".join(
+                " ".join(f"({','.join(map(format_fraction, p))})" for p in ring) for ring in rings
+            )
             lines.append(f"{how.comment} {name}, exactly: {exact}")
     return "".join(f"{line}\n" for line in lines)
 
 
 def _surround(brackets: tuple[str, str], parts: Iterable[str]) -> str:
     return f"{brackets[0]}{', '.join(parts)}{brackets[1]}"
-
-
-def _write_exactly(point: Iterable[Fraction]) -> str:
-    return f"({','.join(map(format_fraction, point))})"
 
 
 def _write_double(value: Fraction) -> str:

@@ -1,1 +1,1 @@
-"""Running a program over cases: protocol, processes, journal."""
+"""Runs of a program over cases: protocol, processes, journal."""

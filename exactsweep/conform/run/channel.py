@@ -1,7 +1,5 @@
 """Exchange of lines with an untrusted process, with limits on time and memory."""
 
-from __future__ import annotations
-
 import os
 import selectors
 import signal
@@ -17,10 +15,8 @@ from exactsweep.processes import Started
 
 _CHUNK = 65536
 _LAST_CHUNKS = 16
-_LOOKING = 0.2
-"""Seconds between checks of memory and exit."""
-_TO_EXIT = 1.0
-"""Seconds until a process must exit after it closes its output."""
+_LOOKING = 0.2  # seconds between checks of memory and exit
+_TO_EXIT = 1.0  # seconds to exit after a process closes its output
 
 
 class ChannelError(Exception):
@@ -30,14 +26,10 @@ class ChannelError(Exception):
 
 
 class SilentError(ChannelError):
-    """No line arrives in time."""
-
     verdict = Verdict.TIMEOUT
 
 
 class ClosedError(ChannelError):
-    """The process exits or closes its output."""
-
     verdict = Verdict.CRASH
 
 
@@ -46,17 +38,11 @@ class LongLineError(ChannelError):
 
 
 class LargeError(ChannelError):
-    """The process exceeds its memory limit."""
-
     verdict = Verdict.MEMORY
 
 
 class Channel:
-    """A process that exchanges lines; `limits` and MAX_STDERR bound its buffers.
-
-    Raises:
-        OSError: the process cannot be started.
-    """
+    """A process that exchanges lines; `limits` and MAX_STDERR bound its buffers."""
 
     def __init__(self, command: Sequence[str], most: int | None = None) -> None:
         self._most = most
@@ -73,7 +59,6 @@ class Channel:
 
     @property
     def stderr(self) -> str:
-        """The end of its standard error."""
         return self._stderr.decode("utf-8", "replace")
 
     def send(self, line: str) -> None:
@@ -86,10 +71,7 @@ class Channel:
         """Wait for a line; return it without its end, with invalid UTF-8 replaced.
 
         Raises:
-            SilentError: no line arrives within these seconds.
-            ClosedError: the output ends before the line.
-            LongLineError: the line is too long.
-            LargeError: the process exceeds its memory limit.
+            ChannelError: no line, a line that is too long, or too much memory.
         """
         now = time.monotonic()
         deadline, look = now + seconds, now + _LOOKING
@@ -109,8 +91,7 @@ class Channel:
     def finish(self, line: str, seconds: float) -> str | None:
         """Send a last line, close the input, wait for the exit, and kill all descendants.
 
-        Returns:
-            None if the process writes nothing more and exits with code 0; otherwise a complaint.
+        Return None if the process writes nothing more and exits with code 0; otherwise a complaint.
         """
         self.send(line)
         self._closing = True
@@ -161,7 +142,7 @@ class Channel:
         return line
 
     def _transfer(self, seconds: float) -> None:
-        """Transfer what the pipes accept now."""
+        """Transfer what the pipes accept now, without blocking."""
         if self._outgoing:
             with suppress(KeyError):
                 self._selector.register(self._stdin, selectors.EVENT_WRITE)

@@ -1,7 +1,5 @@
 """The journal of a run: a JSON line for each outcome."""
 
-from __future__ import annotations
-
 import json
 from collections.abc import Mapping
 from contextlib import ExitStack, suppress
@@ -24,17 +22,13 @@ _WORDS = {"hello": "implementation", "seconds": "timeout"}
 
 
 class JournalError(ExactSweepError):
-    """A journal that cannot be started, resumed or read; the message gives the reason."""
+    """A journal that cannot be started, resumed or read."""
 
 
 class Journal:
-    """A context manager that writes a journal.
+    """A context manager that writes a journal, or resumes it.
 
     Each line is flushed at once; resuming drops an incomplete last line.
-
-    Raises:
-        JournalError: the file exists and `resume` is false, it is no journal of this run, or it
-            cannot be read or written.
     """
 
     def __init__(self, path: Path, terms: Terms, hello: Hello, *, resume: bool = False) -> None:
@@ -58,11 +52,9 @@ class Journal:
             refused.pop_all()
 
     def add(self, outcome: Outcome) -> None:
-        """Write an outcome; raise JournalError if the file cannot be written."""
         self._write(outcome.to_json())
 
     def find(self, digest: str) -> Outcome | None:
-        """Return the earlier outcome of a case, by its digest, or None."""
         place = self._places.get(digest)
         if place is None:
             return None

@@ -1,7 +1,5 @@
 """The outcome of one case, for journals and reports."""
 
-from __future__ import annotations
-
 import hashlib
 import json
 import signal
@@ -10,7 +8,7 @@ from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
 from dataclasses import asdict, dataclass, replace
 from fractions import Fraction
-from typing import Any, NoReturn
+from typing import Any, NoReturn, Self
 
 from exactsweep.conform.judge.compare import compare
 from exactsweep.conform.judge.verdict import Comparison, Verdict
@@ -21,10 +19,8 @@ from exactsweep.conform.run.shrink import shrink
 from exactsweep.corpus import Case, case_from_json, case_to_json
 from exactsweep.numbers.error import ExactSweepError
 
-TO_COMPARE = 60.0
-"""CPU seconds per comparison; work bounds usually stop it earlier."""
-_MAX_RESULT = 65536
-"""Maximum number of characters of a kept answer."""
+TO_COMPARE = 60.0  # CPU seconds per comparison; work bounds usually stop it earlier
+_MAX_RESULT = 65536  # characters of a kept answer
 
 
 @dataclass(frozen=True)
@@ -32,7 +28,7 @@ class Outcome:
     """The outcome of one case.
 
     Attributes:
-        id: of the case.
+        id: the id of the case.
         kind: its class.
         flags: its flags.
         verdict: the verdict.
@@ -78,8 +74,8 @@ class Outcome:
         """The first part with the worst verdict; None if there are no parts."""
         return max(self.parts, key=lambda part: Verdict(part["verdict"]).severity, default=None)
 
-    def lead_with(self, cause: str | None) -> Outcome:
-        """Return the outcome with a given diagnosis first, if the outcome has it."""
+    def lead_with(self, cause: str | None) -> Self:
+        """Return the outcome with one of its diagnoses first; unchanged if it lacks it."""
         if cause not in self.diagnosis[1:]:
             return self
         first, parts = self.diagnosis[0], []
@@ -100,7 +96,6 @@ class Outcome:
 
 
 def outcome_from_json(data: Mapping[str, Any]) -> Outcome:
-    """Read the result of `Outcome.to_json`; raise ExactSweepError if it is invalid."""
     try:
         parts = {**data, "verdict": Verdict(data["verdict"])}
         for name in ("flags", "parts", "diagnosis"):
@@ -121,7 +116,6 @@ def judge_case(peer: Peer, case: Case, rounding: Fraction | None = None) -> Outc
 
 
 def ask(peer: Peer, case: Case) -> tuple[Case, Answer]:
-    """Send a program an adapted case; return the adapted case and the answer."""
     try:
         put = adapt(case, peer.hello)
     except UnsupportedError as error:
@@ -163,7 +157,7 @@ def judge_answer(
 
 
 def compare_in_time(case: Case, result: object, **options: Any) -> Comparison:
-    """Compare an answer by `compare`; in the main thread, undecided after TO_COMPARE seconds."""
+    """Compare an answer; in the main thread, give up after TO_COMPARE seconds."""
     try:
         with stop_after(TO_COMPARE):
             return compare(case, result, **options)
@@ -173,19 +167,18 @@ def compare_in_time(case: Case, result: object, **options: Any) -> Comparison:
 
 
 class OvertimeError(Exception):
-    """A computation that takes too long."""
+    pass
 
 
 @contextmanager
 def stop_after(seconds: float) -> Iterator[None]:
     """Raise OvertimeError in a `with` block of the main thread after CPU seconds.
 
-    Example:
-        >>> with stop_after(0.01):
-        ...     while True:
-        ...         pass
-        Traceback (most recent call last):
-        exactsweep.conform.run.outcome.OvertimeError
+    >>> with stop_after(0.01):
+    ...     while True:
+    ...         pass
+    Traceback (most recent call last):
+    exactsweep.conform.run.outcome.OvertimeError
     """
     is_main = threading.current_thread() is threading.main_thread()
     if not (hasattr(signal, "SIGPROF") and is_main):  # Windows
@@ -217,7 +210,6 @@ def shrink_outcome(
 
 
 def digest_case(case: Case) -> str:
-    """Return a short hash of a case."""
     text = json.dumps(case_to_json(case), sort_keys=True)
     return hashlib.sha256(text.encode()).hexdigest()[:16]
 

@@ -1,7 +1,5 @@
 """Peers: programs that answer cases."""
 
-from __future__ import annotations
-
 import time
 import traceback
 from collections.abc import Callable, Iterable, Mapping, Sequence
@@ -17,10 +15,8 @@ from exactsweep.geometry.polygon import Polygon
 from exactsweep.geometry.region import Region
 from exactsweep.numbers.number import Point
 
-SECONDS = 10.0
-"""Default time limit of an answer, in seconds."""
-MAX_STDERR = 16384
-"""Maximum number of bytes kept from the end of standard error."""
+SECONDS = 10.0  # default time limit of an answer
+MAX_STDERR = 16384  # bytes kept from the end of standard error
 _MAX_REASON = 200
 _MOST_ITEMS = 10**6
 
@@ -45,11 +41,10 @@ class Peer(Protocol):
     hello: Hello
 
     def ask(self, case: Case) -> Answer:
-        """Answer an adapted case."""
+        pass
 
 
 def read_answer(result: Mapping[str, Any]) -> Answer:
-    """Classify an answer as a result, unsupported or an error."""
     for name, verdict in (("unsupported", Verdict.UNSUPPORTED), ("error", Verdict.CRASH)):
         if name in result:
             said = result[name]
@@ -77,9 +72,8 @@ def replace_controls(text: str) -> str:
 def make_plain(value: Any) -> Any:
     """Convert vertices and rings of any type to lists; leave other values unchanged.
 
-    Example:
-        >>> make_plain(iter([(0, 0), range(2)]))
-        [[0, 0], [0, 1]]
+    >>> make_plain(iter([(0, 0), range(2)]))
+    [[0, 0], [0, 1]]
     """
     if isinstance(value, Region):
         value = value.rings if value.holes else value.vertices
@@ -107,14 +101,13 @@ def _list_rings(shape: Mapping[str, Any]) -> list[Any]:
 
 
 class CallablePeer:
-    """A function in this process, which cannot be stopped: a timeout is detected afterwards."""
+    """A function in this process, which cannot be stopped; a timeout is detected afterwards."""
 
     def __init__(self, function: Function, hello: Hello, seconds: float = SECONDS) -> None:
         self._function, self._seconds = function, seconds
         self.hello = hello
 
     def ask(self, case: Case) -> Answer:
-        """Call the function on a case."""
         parts = self.hello.parts(case)
         rings = case.directrix_rings, case.generatrix_rings
         if self.hello.questions == (SUM,):

@@ -1,7 +1,5 @@
 """Parallel judging processes, each with its own process of the program."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Iterable, Iterator
 from concurrent.futures import FIRST_COMPLETED, Future, wait
 from concurrent.futures.process import BrokenProcessPool
@@ -23,7 +21,7 @@ _Call = tuple[str, Callable[..., Outcome], tuple[object, ...]]
 
 
 class JudgeError(ExactSweepError):
-    """A failure of the judge, not of the program; the message gives the reason."""
+    """A failure of the judge, not of the program."""
 
 
 class Judges:
@@ -32,10 +30,6 @@ class Judges:
     Attributes:
         hello: the program's hello.
         complaints: errors when its processes end; complete after `finish`.
-
-    Raises:
-        ProtocolError: the program cannot be started, or its hellos are missing or differ.
-        JudgeError: a judging process is killed or cannot be started.
     """
 
     def __init__(self, terms: Terms, workers: int = 1) -> None:
@@ -54,28 +48,19 @@ class Judges:
             raise
 
     def judge(self, cases: Iterable[Case]) -> Iterator[Outcome]:
-        """Yield the outcomes of cases as they arrive.
-
-        Raises:
-            JudgeError: a case cannot be judged; pending outcomes are lost.
-        """
+        """Yield the outcomes of cases as they arrive; after a JudgeError, pending ones are lost."""
         jobs: Iterator[_Call] = ((case.id, _judge, (case,)) for case in cases)
         return (outcome for _, outcome in self._work_on(jobs))
 
     def shrink(self, outcomes: Iterable[Outcome], seconds: float) -> Iterator[tuple[str, Outcome]]:
-        """Yield the ids of failed cases with the outcomes of smaller cases.
-
-        Raises:
-            JudgeError: as by `judge`.
-        """
+        """Yield the ids of failed cases with the outcomes of smaller cases."""
         return self._work_on((outcome.id, _shrink, (outcome, seconds)) for outcome in outcomes)
 
     def finish(self) -> None:
-        """Send bye to the program and collect `complaints`; raise JudgeError as `judge` does."""
+        """Send bye to the program and collect `complaints`."""
         self.complaints += filter(None, self._call_in_each(_finish))
 
     def close(self) -> None:
-        """Kill all processes and their descendants."""
         self._pool.close()
 
     def _work_on(self, jobs: Iterable[_Call]) -> Iterator[tuple[str, Outcome]]:

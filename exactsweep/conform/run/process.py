@@ -1,7 +1,5 @@
 """Processes that speak the protocol."""
 
-from __future__ import annotations
-
 import time
 from collections.abc import Sequence
 from fractions import Fraction
@@ -9,7 +7,7 @@ from typing import NamedTuple
 
 from exactsweep.conform.judge.verdict import Verdict
 from exactsweep.conform.run.channel import Channel, ChannelError, ClosedError, SilentError
-from exactsweep.conform.run.complaint import find_error
+from exactsweep.conform.run.fault import find_error
 from exactsweep.conform.run.peer import SECONDS, Answer, cut, read_answer
 from exactsweep.conform.run.protocol import (
     BYE,
@@ -23,10 +21,8 @@ from exactsweep.corpus import Case
 from exactsweep.formats.exact_json import describe_kind
 from exactsweep.numbers.error import quote
 
-TO_START = 30.0
-"""Time limit of the hello, in seconds."""
-TO_END = 2.0
-"""Time limit of the exit after bye, in seconds."""
+TO_START = 30.0  # seconds until the hello
+TO_END = 2.0  # seconds until the exit after bye
 
 
 class Terms(NamedTuple):
@@ -39,11 +35,7 @@ class Terms(NamedTuple):
 
 
 class ProcessPeer:
-    """A process that speaks the protocol; restarted after each failure.
-
-    Raises:
-        ProtocolError: it cannot be started, or sends no hello.
-    """
+    """A process that speaks the protocol; restarted after each failure."""
 
     def __init__(self, terms: Terms, to_start: float = TO_START) -> None:
         self.terms, self._to_start = terms, to_start
@@ -51,9 +43,10 @@ class ProcessPeer:
         self.hello = self._start()
 
     def ask(self, case: Case) -> Answer:
-        """Send an adapted case and wait for the answer."""
         try:
-            self._restart()
+            if self._channel is None and self._start() != self.hello:
+                self.kill()
+                raise ProtocolError("its hello changed after a restart")
         except ProtocolError as error:
             return Answer(verdict=Verdict.CRASH, reason=f"did not start again: {error}")
         channel = self._channel
@@ -63,7 +56,7 @@ class ProcessPeer:
         return answer._replace(seconds=time.monotonic() - began, memory=channel.peak)
 
     def close(self) -> str | None:
-        """Send bye, and wait for the exit or kill the process; return a complaint, if any."""
+        """Send bye, wait for the exit or kill the process; return a complaint, if any."""
         channel, self._channel = self._channel, None
         if channel is None:
             return None
@@ -71,7 +64,6 @@ class ProcessPeer:
         return complaint and _with_last_words(complaint, channel)
 
     def kill(self) -> None:
-        """Kill the process and its descendants."""
         if self._channel is not None:
             self._channel.kill()
             self._channel = None
@@ -93,13 +85,6 @@ class ProcessPeer:
             verdict, reason = Verdict.MALFORMED, str(error)
         self.kill()
         return Answer(verdict=verdict, reason=reason, stderr=channel.stderr)
-
-    def _restart(self) -> None:
-        if self._channel is None:
-            hello = self._start()
-            if hello != self.hello:
-                self.kill()
-                raise ProtocolError("its hello changed after a restart")
 
     def _start(self) -> Hello:
         try:

@@ -1,6 +1,4 @@
-"""The protocol between the runner and a program, which PROTOCOL.md specifies."""
-
-from __future__ import annotations
+"""The protocol between the runner and a program; PROTOCOL.md specifies it."""
 
 import json
 from collections.abc import Iterable, Mapping
@@ -42,23 +40,14 @@ class ProtocolError(ExactSweepError):
 
 @dataclass(frozen=True)
 class Hello:
-    """The self-description of a program.
+    """The self-description of a program."""
 
-    Attributes:
-        name: its name and version, for the report.
-        loops: the loops of a sweep that it computes, some of `LOOPS`; () without sweeps.
-        numbers: the numbers that it reads, one of `NUMBERS`.
-        reference: its reference point of G, one of `REFERENCES`.
-        questions: some of `QUESTIONS`.
-        shapes: the pairs that it accepts, one of `SHAPES`.
-    """
-
-    name: str
-    loops: tuple[str, ...] = ("trajectory",)
-    numbers: Numbers = "rational"
-    reference: Reference = "given"
+    name: str  # with its version, for the report
+    loops: tuple[str, ...] = ("trajectory",)  # of a sweep; () without sweeps
+    numbers: Numbers = "rational"  # that it reads
+    reference: Reference = "given"  # its reference point of G
     questions: tuple[Question, ...] = ("sweep",)
-    shapes: Shapes = "monotone"
+    shapes: Shapes = "monotone"  # the pairs that it accepts
 
     def parts(self, case: Case) -> tuple[str, ...]:
         """List the parts of an answer to a case: loops of a sweep, and other questions."""
@@ -66,7 +55,6 @@ class Hello:
         return (*self.loops, *(name for name in self.questions if name not in others))
 
     def to_json(self) -> dict[str, Any]:
-        """Return the line as plain data."""
         return {
             "hello": self.name,
             "loops": list(self.loops),
@@ -78,7 +66,6 @@ class Hello:
 
 
 def make_hello(said: Mapping[str, object]) -> Hello:
-    """Make a Hello of the members of the first line; raise ProtocolError if they are invalid."""
     for member in said:
         if member not in _MEMBERS:
             raise ProtocolError(f"the hello has {quote(member)}{suggest(member, _MEMBERS)}")
@@ -118,12 +105,11 @@ def _choose_some(
 
 
 def read_hello(line: str) -> Hello:
-    """Read the hello of a program; raise ProtocolError if it is invalid.
+    """Read the hello of a program.
 
-    Example:
-        >>> read_hello('{"hello": "mine", "loops": ["inner"], "numbers": "int64"}')
-        Traceback (most recent call last):
-        exactsweep.conform.run.protocol.ProtocolError: the hello has no "reference"
+    >>> read_hello('{"hello": "mine", "loops": ["inner"], "numbers": "int64"}')
+    Traceback (most recent call last):
+    exactsweep.conform.run.protocol.ProtocolError: the hello has no "reference"
     """
     with prefix_errors("the first line is not a hello"):
         found = read_object(line)
@@ -135,11 +121,10 @@ def read_hello(line: str) -> Hello:
 def write_case_line(case: Case, hello: Hello) -> str:
     """Write the line of a case, without its end, for a program with this hello.
 
-    Example:
-        >>> triangle = [(0, 0), (1, 0), (0, 1)]
-        >>> case = Case.of("a", "", triangle, triangle)
-        >>> write_case_line(case, Hello("b", numbers="binary64"))[:50]
-        '{"id": "a", "class": "CC", "directrix": [["0.0", "'
+    >>> triangle = [(0, 0), (1, 0), (0, 1)]
+    >>> case = Case.of("a", "", triangle, triangle)
+    >>> write_case_line(case, Hello("b", numbers="binary64"))[:50]
+    '{"id": "a", "class": "CC", "directrix": [["0.0", "'
     """
     is_double = hello.numbers == "binary64"
 
@@ -168,7 +153,6 @@ def list_reflected_rings(case: Case) -> tuple[Loop, ...]:
 
 
 def read_object(line: str) -> dict[str, Any]:
-    """Read a JSON object; raise ProtocolError for any other line."""
     try:
         found = parse_certificate(line)
     except FormatError as error:
@@ -181,7 +165,6 @@ def read_object(line: str) -> dict[str, Any]:
 
 
 def read_reply(line: str) -> dict[str, Any]:
-    """Read the line of an answer; raise ProtocolError if it is no object with an id."""
     result = read_object(line)
     if "id" not in result:
         raise ProtocolError('the answer has no "id"')
@@ -195,15 +178,12 @@ class UnsupportedError(ExactSweepError):
 def adapt(case: Case, hello: Hello) -> Case:
     """Adapt a case and its answers to a program: set the reference point, and scale if necessary.
 
-    Raises:
-        UnsupportedError: the program does not accept such shapes, none of its questions applies, or
-            its numbers do not represent the case.
+    An UnsupportedError is raised if the hello excludes the case.
 
-    Example:
-        >>> case = Case.of("a", "", [(0, 0), ("1/2", 0), (0, 1)], [(1, 1), (2, 1), (1, 2)])
-        >>> whole = adapt(case, Hello("mine", numbers="int32", reference="first"))
-        >>> print(whole.directrix, "from", whole.trajectory.vertices[0])
-        (0, 0) (1, 0) (0, 2) from (-2, 0)
+    >>> case = Case.of("a", "", [(0, 0), ("1/2", 0), (0, 1)], [(1, 1), (2, 1), (1, 2)])
+    >>> whole = adapt(case, Hello("mine", numbers="int32", reference="first"))
+    >>> print(whole.directrix, "from", whole.trajectory.vertices[0])
+    (0, 0) (1, 0) (0, 2) from (-2, 0)
     """
     if SHAPES.index(case.shapes) > SHAPES.index(hello.shapes):
         raise UnsupportedError(f"not asked: the program takes {hello.shapes} pairs only")
@@ -233,11 +213,11 @@ _POSITIONS = (
     *("reference", "trajectory", "holes", "exact_fits"),
     *("inner_regions", "inner_exact_fits"),
 )
+# Members of a case that do not depend on the reference point.
 _FIXED = (
     *("directrix_ring", "directrix_holes", "generatrix_ring", "generatrix_holes"),
     *("inner", "outer", "unswept"),
 )
-"""Members of a case that do not depend on the reference point."""
 
 
 def _transform(case: Case, k: int | Fraction = 1, by: Point = ORIGIN) -> Case:

@@ -1,7 +1,6 @@
-"""A run: the outcomes of a program on cases."""
+"""Runs: the outcomes of a program on cases, and their counts by class and flag."""
 
-from __future__ import annotations
-
+from collections import Counter
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, field, replace
 from fractions import Fraction
@@ -11,14 +10,104 @@ from exactsweep import __version__
 from exactsweep.conform.judge.verdict import Verdict
 from exactsweep.conform.run.outcome import Outcome
 from exactsweep.conform.run.protocol import Hello
-from exactsweep.conform.run.tally import ACCEPTED, Tally, fails
+from exactsweep.corpus.case import KINDS
 from exactsweep.numbers.digits import format_fraction
+from exactsweep.numbers.limits import get_limits, limits
+from exactsweep.numbers.number import to_fraction
 from exactsweep.words import count
 
-SHOWN = 5
-"""Maximum number of failures kept in full for each fault."""
-MOST_FAULTS = 40
-"""Maximum number of faults; others are grouped by verdict."""
+ALL = "all"
+
+ACCEPTED = Verdict.EQUIVALENT_EXCEPT_FOR_EXACT_FITS  # the default worst verdict that passes
+
+_DIFFERENT = (Verdict.CONSERVATIVE, Verdict.UNSOUND, Verdict.WRONG)
+
+
+class Tally:
+    """Counts of outcomes.
+
+    Attributes:
+        counts: Counter of (group, verdict); groups are "all", classes and flags.
+        granted: the greatest rounding of a loop that is within, and the id of its case.
+        different: the number of conservative, unsound and wrong trajectories.
+        diagnoses: Counter of their diagnoses.
+
+    Example:
+        >>> summary = Tally([Outcome("a", "CC", ("parallel-edges",), Verdict.EXACT)])
+        >>> summary.groups(), summary.verdicts(), summary.counts["CC", Verdict.EXACT]
+        (['all', 'CC', 'parallel-edges'], [<Verdict.EXACT: 'exact'>], 1)
+    """
+
+    def __init__(self, outcomes: Iterable[Outcome] = ()) -> None:
+        self.counts: Counter[tuple[str, Verdict]] = Counter()
+        self.seconds = 0.0
+        self.granted = (Fraction(0), "")
+        self.different = 0
+        self.diagnoses: Counter[str] = Counter()
+        for outcome in outcomes:
+            self.add(outcome)
+
+    def add(self, outcome: Outcome) -> None:
+        for group in (ALL, outcome.kind, *outcome.flags):
+            self.counts[group, outcome.verdict] += 1
+        self.seconds += outcome.seconds
+        for part in outcome.parts:
+            if part["name"] in ("trajectory", "no_fit") and Verdict(part["verdict"]) in _DIFFERENT:
+                self.different += 1
+                self.diagnoses.update(part["diagnosis"])
+            if part["granted"] and Verdict(part["verdict"]) is Verdict.WITHIN:
+                self.granted = max(self.granted, (read_any_length(part["granted"]), outcome.id))
+
+    def find_cause(self) -> str | None:
+        """Find a diagnosis that explains all differing answers."""
+        for words, number in self.diagnoses.most_common(1):
+            if number == self.different > 1:
+                return words
+        return None
+
+    def diagnosis(self) -> str | None:
+        cause = self.find_cause()
+        return cause and f"all {self.different} answers that differ: {cause}"
+
+    def total(self, verdict: Verdict | None = None, group: str = ALL) -> int:
+        verdicts = Verdict if verdict is None else (verdict,)
+        return sum(self.counts[group, one] for one in verdicts)
+
+    @property
+    def judged(self) -> int:
+        return sum(self.total(verdict) for verdict in Verdict if verdict.is_judgement)
+
+    def failures(self, accepted: Verdict) -> int:
+        return sum(self.total(verdict) for verdict in Verdict if fails(verdict, accepted))
+
+    def groups(self) -> list[str]:
+        """List the groups that have cases: all, the classes, then the flags."""
+        found = {group for group, _ in self.counts}
+        first = [group for group in (ALL, *KINDS) if group in found]
+        return first + sorted(found.difference(first))
+
+    def verdicts(self) -> list[Verdict]:
+        return [verdict for verdict in Verdict if self.total(verdict)]
+
+
+def fails(verdict: Verdict, accepted: Verdict) -> bool:
+    return verdict.is_judgement and verdict.severity > accepted.severity
+
+
+def read_any_length(text: str) -> Fraction:
+    """Read the output of `format_fraction`, of any length; the caller has checked the length.
+
+    >>> read_any_length("1" + "0" * 200_000) == 10**200_000
+    True
+    """
+    if len(text) <= get_limits().max_digits:
+        return to_fraction(text)
+    with limits(max_digits=len(text)):
+        return to_fraction(text)
+
+
+SHOWN = 5  # failures kept in full for each fault
+MOST_FAULTS = 40  # others are grouped by verdict
 
 
 @dataclass
@@ -100,7 +189,7 @@ class Run:
         return (whole.get(bare.id) or bare.lead_with(cause) for bare in self.outcomes)
 
     def show(self) -> Iterator[Outcome]:
-        """Yield the failures kept in full by fault, the smallest first."""
+        """Yield the failures kept in full, by fault, the smallest first."""
         for fault in self.list_faults():
             yield from fault.kept
 

@@ -1,7 +1,5 @@
 """The runner, which sends cases and collects outcomes."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Iterable, Iterator, Sequence
 
 from exactsweep.conform.judge.verdict import Verdict
@@ -10,16 +8,13 @@ from exactsweep.conform.run.outcome import Outcome, digest_case, judge_case, shr
 from exactsweep.conform.run.peer import SECONDS, CallablePeer, Function
 from exactsweep.conform.run.pool import JudgeError, Judges
 from exactsweep.conform.run.protocol import make_hello
-from exactsweep.conform.run.run import Run
-from exactsweep.conform.run.tally import ACCEPTED
+from exactsweep.conform.run.run import ACCEPTED, Run
 from exactsweep.corpus import Case
 from exactsweep.corpus.selection import require_distinct
 from exactsweep.numbers.error import explain_type_errors
 
-TO_MAKE_SMALLER = 20.0
-"""Time limit for shrinking one failure, in seconds."""
-MOST_TO_MAKE_SMALLER = 120.0
-"""Time limit for shrinking all failures, in seconds."""
+TO_MAKE_SMALLER = 20.0  # seconds for shrinking one failure
+MOST_TO_MAKE_SMALLER = 120.0  # seconds for shrinking all failures
 
 
 def judge_cases(
@@ -31,10 +26,9 @@ def judge_cases(
     tell: Callable[[], None] = lambda: None,
     made_smaller: int = 0,
 ) -> None:
-    """Send cases to a program and collect the outcomes.
+    """Send cases to a program and collect the outcomes; skip cases in the journal.
 
-    Cases in the journal are skipped. Ctrl-C and a case that cannot be judged end the run early; the
-    outcomes so far are kept.
+    Ctrl-C and a case that cannot be judged end the run early; the outcomes so far are kept.
     """
 
     def skip_old(cases: Iterable[Case]) -> Iterator[Case]:

@@ -5,14 +5,12 @@ changes nothing. A candidate replaces the case if it is smaller, `sweep` accepts
 fault, and all its flags are flags of the case, since another flag could be another fault.
 """
 
-from __future__ import annotations
-
 import time
 from collections.abc import Callable, Iterator
 from fractions import Fraction
 from itertools import chain
 from math import gcd, lcm
-from typing import NamedTuple
+from typing import NamedTuple, Self
 
 from exactsweep.conform.judge.verdict import Verdict
 from exactsweep.corpus import Case
@@ -32,7 +30,7 @@ class _GivenPair(NamedTuple):
     split: int
 
     @classmethod
-    def of(cls, case: Case) -> _GivenPair:
+    def of(cls, case: Case) -> Self:
         d, g = case.directrix_rings, case.generatrix_rings
         return cls((*d, *g, (case.reference,)), len(d))
 
@@ -42,15 +40,13 @@ class _GivenPair(NamedTuple):
         bits = sum(c.numerator.bit_length() + c.denominator.bit_length() for c in numbers)
         return len(numbers), bits, sum(map(abs, numbers), Fraction(0))
 
-    def replace(self, k: int, *ring: Loop) -> _GivenPair:
-        """Return the pair with one ring replaced, or removed."""
+    def replace(self, k: int, *ring: Loop) -> Self:
         rings = (*self.rings[:k], *ring, *self.rings[k + 1 :])
-        return _GivenPair(rings, self.split - (not ring and k < self.split))
+        return self._replace(rings=rings, split=self.split - (not ring and k < self.split))
 
     def map(
         self, function: Callable[[Fraction], Fraction], axes: str = "xy", which: slice = slice(None)
-    ) -> _GivenPair:
-        """Return the pair with a function applied to the coordinates of some axes and rings."""
+    ) -> Self:
         rings = list(self.rings)
         rings[which] = (
             tuple(p._replace(**{axis: function(getattr(p, axis)) for axis in axes}) for p in ring)
@@ -58,7 +54,7 @@ class _GivenPair(NamedTuple):
         )
         return self._replace(rings=tuple(rings))
 
-    def put_in_corner(self, which: slice) -> _GivenPair:
+    def put_in_corner(self, which: slice) -> Self:
         """Move the lower left corner of a shape to the origin."""
         x, y = map(min, zip(*self.rings[which][0], strict=True))
         return self.map(lambda c: c - x, "x", which).map(lambda c: c - y, "y", which)
@@ -105,8 +101,6 @@ def shrink(
 
 
 class _Search:
-    """The smallest case so far, and the limits of the search."""
-
     def __init__(
         self, case: Case, judge: Callable[[Case], str], fault: str, tries: int, deadline: float
     ) -> None:
@@ -174,7 +168,6 @@ def _move(pair: _GivenPair) -> Iterator[_GivenPair]:
 
 
 def _remove(pair: _GivenPair) -> Iterator[_GivenPair]:
-    """Remove holes and vertices."""
     for k, ring in enumerate(pair.rings[:-1]):
         if k not in (0, pair.split):
             yield pair.replace(k)
@@ -217,7 +210,6 @@ def _shorten_one(pair: _GivenPair) -> Iterator[_GivenPair]:
 
 
 def _find_simpler(value: Fraction) -> list[Fraction]:
-    """List shorter numbers, the simplest first."""
     found = [Fraction(0), Fraction(round(value)), Fraction(int(value / 2))]
     if abs(value) < 32:
         found.append(value - 1 if value > 0 else value + 1)

@@ -3,8 +3,6 @@
 The cases are not adapted, so the program reads rationals. It may use another reference point.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable, Iterable, Iterator
 from dataclasses import replace
 from typing import BinaryIO
@@ -26,10 +24,7 @@ class Stream:
 
     Attributes:
         hello: the program's hello.
-        complaints: list of errors of the first lines that cannot be judged.
-
-    Raises:
-        ProtocolError: the first line is not a hello.
+        complaints: errors of the first lines that cannot be judged.
     """
 
     def __init__(self, file: BinaryIO) -> None:
@@ -58,7 +53,6 @@ class Stream:
             yield outcome
 
     def unanswered(self, cases: Iterable[Case]) -> Iterator[Outcome]:
-        """Yield an outcome for each case without an answer, after all answers."""
         answer = Answer(verdict=Verdict.CRASH, reason="no answer")
         for case in cases:
             if case.id not in self._seen:
