@@ -34,7 +34,7 @@ _starting = RLock()
 _locked: WeakSet[IO[Any]] = WeakSet()
 
 
-class Started:
+class ChildProcess:
     """A child process in its own process group, with pipes, and a mark in its environment.
 
     `end` kills the group, the descendants and, on systems with /proc, all processes with the mark.
@@ -66,7 +66,7 @@ class Started:
                 env={**os.environ, _MARK: f"{os.environ.get(_MARK, '')} {self._mark}"},
             )
 
-    def forget_peak(self) -> None:
+    def reset_peak(self) -> None:
         """Reset the peak memory of the process, where the system supports it."""
         with suppress(OSError):
             Path(f"/proc/{self.process.pid}/clear_refs").write_text("5")

@@ -12,7 +12,7 @@ from click import ClickException
 
 from exactsweep import __version__
 from exactsweep.conform.run.outcome import stop_after
-from exactsweep.processes import Started
+from exactsweep.processes import ChildProcess
 
 ROOT = Path(__file__).parents[1]
 PROJECT = tomllib.loads((ROOT / "pyproject.toml").read_text("utf-8"))["project"]
@@ -23,7 +23,7 @@ def test_programs_need_process_groups(
 ) -> None:
     monkeypatch.delattr(os, "killpg")
     with pytest.raises(OSError, match="on POSIX systems only"):
-        Started([sys.executable, "-c", "pass"])
+        ChildProcess([sys.executable, "-c", "pass"])
 
 
 def test_without_alarms_nothing_is_stopped(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -50,7 +50,7 @@ class Cluster:
             self.client = dask.Client(self.own or address, timeout=5)
             self.count = max(1, sum(self.client.nthreads().values()))
             self.name = f"exactsweep-{id(self):x}"
-            self.client.register_plugin(_holder(work, self.name))
+            self.client.register_plugin(_make_plugin(work, self.name))
         # Dask raises AssertionError for some addresses.
         except (OSError, ValueError, AssertionError) as error:
             reason = str(error).partition("\n")[0]
@@ -109,13 +109,13 @@ def _dask() -> Any:
     return distributed
 
 
-def _holder(held: Work, plugin_name: str) -> object:
+def _make_plugin(held: Work, plugin_name: str) -> object:
     # Local classes are pickled by value.
-    class Holder(_dask().WorkerPlugin):  # type: ignore[misc]
+    class WorkPlugin(_dask().WorkerPlugin):  # type: ignore[misc]
         name = plugin_name
         work = held
 
-    return Holder()
+    return WorkPlugin()
 
 
 def _compute(chunk: Chunk, name: str) -> Sequence[bytes]:

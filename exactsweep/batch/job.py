@@ -15,7 +15,7 @@ from exactsweep.batch.parts import Part
 from exactsweep.batch.record import QUANTITIES, Quantities
 from exactsweep.batch.work import Chunk, NumberedPair, Work
 from exactsweep.formats.candidate import NamedPolygon
-from exactsweep.formats.files import name_failures, show_path, split_lines
+from exactsweep.formats.files import prefix_os_errors, show_path, split_lines
 from exactsweep.formats.folder import make_unique
 from exactsweep.formats.rounding import Rounding
 from exactsweep.numbers.digits import format_fraction
@@ -169,7 +169,7 @@ def _digest_input(work: Work, source: bytes) -> str:
 
 def _lines(path: str) -> Iterator[bytes]:
     """Yield the nonblank lines of a file; b"" replaces a line that is too long."""
-    with name_failures(path, BatchError):
+    with prefix_os_errors(path, BatchError):
         file = Path(path)
         if file.exists() and not file.is_file() and not file.is_dir():
             raise BatchError(f"{show_path(path)}: a pipe or a device, which cannot be read twice")

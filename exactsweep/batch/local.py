@@ -28,7 +28,7 @@ class LocalProcesses:
         # Workers need the main module only if it defines classes used in the work.
         self._around = nullcontext if b"__main__" in pickle.dumps(work) else _hide_main
         with self._around():
-            self._pool = Pool(self.count, _hold, work, forks=True)
+            self._pool = Pool(self.count, _set_work, work, forks=True)
 
     def submit(self, chunk: Chunk) -> Future[Sequence[bytes]]:
         """Compute a chunk in a worker process."""
@@ -61,7 +61,7 @@ def _hide_main() -> Iterator[None]:
 _work: Work
 
 
-def _hold(work: Work) -> None:
+def _set_work(work: Work) -> None:
     global _work
     _work = work
 

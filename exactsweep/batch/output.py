@@ -18,7 +18,7 @@ from typing import Self
 from exactsweep.batch.error import BatchError
 from exactsweep.batch.job import Job
 from exactsweep.batch.record import is_error, is_record
-from exactsweep.formats.files import name_failures, show_path
+from exactsweep.formats.files import prefix_os_errors, show_path
 from exactsweep.processes import lock
 
 PARQUET = ".parquet"
@@ -65,14 +65,14 @@ class Output:
                 self.lock = opened.enter_context(open(self.note, "a+", encoding="utf-8"))
                 if not lock(self.lock):
                     raise BatchError(f"{show_path(path)}: another batch is writing to it")
-                self._agree(restart)
+                self._check_owner(restart)
                 self.file = opened.enter_context(open(self.part, "r+b"))
                 self._resume()
             except OSError as error:
                 raise BatchError(f"{show_path(path)}: {error.strerror or error}") from None
             self.opened = opened.pop_all()
 
-    def _agree(self, restart: bool) -> None:
+    def _check_owner(self, restart: bool) -> None:
         """Check that existing records belong to this batch, or start a new file."""
         self.lock.seek(0)
         noted = self.lock.read()
@@ -109,7 +109,7 @@ class Output:
 
     def write(self, lines: Iterable[bytes]) -> None:
         """Append records and flush, so that they survive the process."""
-        with name_failures(str(self.part), BatchError):
+        with prefix_os_errors(str(self.part), BatchError):
             for line in lines:
                 self.file.write(line)
                 self._count(line)
@@ -118,7 +118,7 @@ class Output:
     def finish(self) -> None:
         """Convert or rename the records to the final file."""
         assert self.done == self.job.total
-        with name_failures(str(self.path), BatchError):
+        with prefix_os_errors(str(self.path), BatchError):
             os.fsync(self.file.fileno())
             self.file.close()
             if self.is_table:

@@ -4,7 +4,7 @@ from collections.abc import Sequence
 from typing import NamedTuple, Unpack
 
 from exactsweep.formats.folder import Listing, list_parts
-from exactsweep.formats.part_list import Said
+from exactsweep.formats.part_list import Remarks
 from exactsweep.formats.reading import Options
 from exactsweep.geometry.region import AnyPolygon
 from exactsweep.geometry.turn import read_turn
@@ -50,10 +50,10 @@ def read_parts(path: str, tolerance: object = None, **options: Unpack[Options]) 
 def make_parts(listing: Listing) -> tuple[Part, ...]:
     """Read the polygons of a Listing, like `read_parts`."""
     found = []
-    said = Said(listing.notes, listing.left_out)
+    remarks = Remarks(listing.notes, listing.left_out)
     for name, _, candidate in listing.parts:
         try:
-            found += [Part(name, piece.shape()) for piece in candidate.split(said)]
+            found += [Part(name, piece.shape()) for piece in candidate.split(remarks)]
         except ValueError as error:
             found.append(Part(name, str(error)))
     return tuple(found)

@@ -10,7 +10,7 @@ from exactsweep.cli.output import replace_file
 from exactsweep.cli.pair import coordinates_of_files, takes_pair, takes_question, to_point
 from exactsweep.cli.working import working
 from exactsweep.formats import show_path
-from exactsweep.formats.files import name_failures
+from exactsweep.formats.files import prefix_os_errors
 from exactsweep.numbers.error import prefix_errors
 from exactsweep.words import spell_out
 
@@ -77,5 +77,5 @@ def draw_command(
     if title:
         # Fonts lack unprintable characters, and a dollar sign starts a formula.
         axes.set_title(spell_out(title).replace("$", r"\$"), loc="left")
-    with name_failures(output), working("drawing"), replace_file(output) as path:
+    with prefix_os_errors(output), working("drawing"), replace_file(output) as path:
         save(figure, path)

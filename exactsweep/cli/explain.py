@@ -26,11 +26,15 @@ def explain_command(result: Sweep, as_json: bool, output: str) -> None:
     Example:
       exactsweep explain house.json block.wkt
     """
-    from exactsweep.text.explanation import tell
+    from exactsweep.text.explanation import describe_steps
     from exactsweep.text.results import explanation_to_json
 
     with working("explaining the sweep"):
-        lines = [explanation_to_json(result)] if as_json else [f"{one}\n" for one in tell(result)]
+        lines = (
+            [explanation_to_json(result)]
+            if as_json
+            else [f"{one}\n" for one in describe_steps(result)]
+        )
         text = "".join(lines)
     terminal = measure_terminal(output)
     if terminal and text.count("\n") > terminal.lines:

@@ -24,9 +24,9 @@ from exactsweep.formats import NamedRegion, show_path
 from exactsweep.formats import reading as how
 from exactsweep.formats.candidate import Candidate
 from exactsweep.formats.depth import separate_holes
-from exactsweep.formats.folder import bring_to_one
-from exactsweep.formats.part_list import Coordinates, PartList, Said
-from exactsweep.formats.polygons import name_file, read_choice, read_single, split_choice
+from exactsweep.formats.folder import unify_coordinates
+from exactsweep.formats.part_list import Coordinates, PartList, Remarks
+from exactsweep.formats.polygons import prefix_path, read_choice, read_single, split_choice
 from exactsweep.geometry.direction import DirectionError, Vector, read_direction
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.numbers.error import prefix_errors
@@ -289,7 +289,7 @@ def read_each(
     """Read the polygons of two files, folders or patterns, with a common direction of Y."""
     _require_one_input(stays, moves)
     found = [(show_path(path), read_named([path], reading, whole=whole)) for path in (stays, moves)]
-    keep_coordinates(*bring_to_one(found))
+    keep_coordinates(*unify_coordinates(found))
     return found[0][1], found[1][1]
 
 
@@ -298,9 +298,9 @@ def read_placed(
 ) -> tuple[Region, list[Region], list[Region]]:
     """Read a container, a part and placed shapes; touching holes count as placed shapes."""
     ((one, *_), file), (others_of, its_file) = _choose_two(stays, moves, reading, groups=True)
-    with working("reading"), name_file(file):
+    with working("reading"), prefix_path(file):
         first, regions = separate_holes(one)
-    with working("reading"), name_file(its_file):
+    with working("reading"), prefix_path(its_file):
         second = [read_single(one, Candidate.region) for one in others_of]
     if not placed:
         return first, second, regions
@@ -310,7 +310,7 @@ def read_placed(
     if not files:
         return first, second, regions
     listing = find_parts(files, reading)
-    said = Said([], [])
+    said = Remarks([], [])
     others: list[Region] = []
     errors = [Fraction(0)]
     for part in listing.parts:
@@ -346,7 +346,7 @@ def _read_layout(path: str, reading: ReadingOptions) -> list[Region]:
     from exactsweep.layout.board import Board
     from exactsweep.layout.rounded import to_region
 
-    with name_file(file):
+    with prefix_path(file):
         data = parse_json(read_text(file))
     if not isinstance(data, dict) or data.keys().isdisjoint(("placements", "solution", "bins")):
         return []
@@ -367,7 +367,7 @@ def read_two(stays: str, moves: str, reading: ReadingOptions) -> tuple[Region, R
     """Read two polygons from two files, with a common direction of Y; report skipped elements."""
     regions = []
     for (candidate, *_), file in _choose_two(stays, moves, reading):
-        with working("reading"), name_file(file):
+        with working("reading"), prefix_path(file):
             regions.append(read_single(candidate, Candidate.region))
     return regions[0], regions[1]
 
@@ -380,7 +380,7 @@ def _choose_two(
     with working("reading"):
         first = stays, read_choice(stays, **reading)
         files = [first, (moves, read_choice(moves, groups=groups, **reading))]
-    keep_coordinates(*bring_to_one([(show_path(path), found) for path, found in files]))
+    keep_coordinates(*unify_coordinates([(show_path(path), found) for path, found in files]))
     chosen = []
     for path, found in files:
         name = split_choice(path)[0]

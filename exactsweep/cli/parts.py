@@ -10,7 +10,7 @@ from exactsweep.cli.working import working
 from exactsweep.formats import FormatError, NamedRegion, show_path
 from exactsweep.formats.choice import is_group
 from exactsweep.formats.folder import Listing, list_parts, make_unique
-from exactsweep.formats.part_list import PartList, Said, summarize
+from exactsweep.formats.part_list import PartList, Remarks, summarize
 from exactsweep.formats.polygons import split_choice
 from exactsweep.text.report import approximate
 
@@ -47,7 +47,7 @@ def read_named(
     notes: list[str] = []
     with working("reading"):
         for part in listing.parts:
-            said = Said([], [])
+            said = Remarks([], [])
             try:
                 read = part.candidate.named_regions(said)
             except ValueError as error:

@@ -22,8 +22,8 @@ from exactsweep.formats import FormatError, NamedRegion, read_text, show_path
 from exactsweep.formats.candidate import Candidate
 from exactsweep.formats.paths import parse_path
 from exactsweep.formats.polygons import (
-    name_file,
     parse_region,
+    prefix_path,
     read_choice,
     read_region,
     read_single,
@@ -38,7 +38,7 @@ def _read(
 ) -> tuple[Region, Region | Polyline]:
     file, choice = split_choice(b)
     if choice is None:
-        with name_file(file):
+        with prefix_path(file):
             text = read_text(file)
             path = parse_path(text, is_list=as_path, reading=Reading(**reading))
         if path is not None:
@@ -49,7 +49,7 @@ def _read(
                 "LineString and SVG paths."
             )
         if b == "-":
-            with name_file(b):
+            with prefix_path(b):
                 return read_region(a, **reading), parse_region(text, **reading)
     elif as_path:
         raise click.UsageError("--path reads whole files; omit the # and the name.")
@@ -72,7 +72,7 @@ def _read_with_path(
     y_down = is_svg if reading["y_down"] is None else reading["y_down"]
     coordinates = found.coordinates
     if coordinates.y_down and not y_down:
-        found[:] = [one.turned() for one in found]
+        found[:] = [one.flipped() for one in found]
         notes.append(f"{name}: Y axis flipped, because {show_path(file)} has Y up")
     elif y_down and not coordinates.y_down:
         path = Polyline([(x, -y) for x, y in path.points], closed=path.closed)
@@ -80,7 +80,7 @@ def _read_with_path(
     keep_coordinates(coordinates._replace(y_down=coordinates.y_down and y_down), notes)
     keep_errors(found[0].error)
     report_error(found[0].error, reading)
-    with name_file(name):
+    with prefix_path(name):
         return read_single(found[0], Candidate.region), path
 
 

@@ -105,7 +105,7 @@ def _read(data: JsonNode) -> Case:
     if kind not in KINDS:
         raise CaseError(f"$.class is {describe_kind(kind)}, not one of {', '.join(KINDS)}")
     if type(version.value) is not int or version.value < 1:
-        version.refuse(f"{describe_kind(version.value)}, not a positive integer")
+        version.fail(f"{describe_kind(version.value)}, not a positive integer")
     trajectory, inner, outer = (
         _polygon(expected / name) for name in ("trajectory", "inner", "outer")
     )

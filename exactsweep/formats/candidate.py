@@ -13,7 +13,7 @@ from exactsweep.formats.curved.curves import round_root_up
 from exactsweep.formats.curved.path import SimpleLines
 from exactsweep.formats.error import FormatError
 from exactsweep.formats.filling import Filled, Rule, fill
-from exactsweep.formats.part_list import Said
+from exactsweep.formats.part_list import Remarks
 from exactsweep.formats.rounded import RoundedOutline
 from exactsweep.formats.size import FAULT, require_count
 from exactsweep.geometry.canonical import PolygonError
@@ -53,7 +53,7 @@ class NamedRegion(NamedTuple):
     layer: str | None = None
     error: Fraction = Fraction(0)
 
-    def turned(self) -> Self:
+    def flipped(self) -> Self:
         """Flip the Y axis."""
         return self._replace(region=self.region.scaled((1, -1)))
 
@@ -78,7 +78,7 @@ class Candidate(NamedTuple):
     points: tuple[Point, ...] = ()  # the vertices of rejected open lines
 
     @classmethod
-    def refused(
+    def from_error(
         cls,
         reason: str | Exception,
         name: str | None = None,
@@ -94,7 +94,7 @@ class Candidate(NamedTuple):
         return cls("", vertices, name, layer, fault=fault, ornament=ornament)
 
     def rejected(self, reason: str, *, ornament: bool = False) -> Self:
-        found = type(self).refused(reason, self.name, self.layer, ornament=ornament)
+        found = type(self).from_error(reason, self.name, self.layer, ornament=ornament)
         return found._replace(groups=self.groups)
 
     @classmethod
@@ -116,11 +116,11 @@ class Candidate(NamedTuple):
             error=error,
         )
 
-    def turned(self) -> Self:
+    def flipped(self) -> Self:
         return self._replace(
             vertices=lambda: [Point(p.x, -p.y) for p in self.vertices()],
-            holes=lambda: [hole.turned() for hole in self.holes()],
-            rounded=self.rounded and self.rounded.turned(),
+            holes=lambda: [hole.flipped() for hole in self.holes()],
+            rounded=self.rounded and self.rounded.flipped(),
         )
 
     def polygon(self) -> Polygon:
@@ -134,10 +134,10 @@ class Candidate(NamedTuple):
         if not holes:
             return Region(self.polygon())
         return self._read(
-            lambda: Region(self._short_vertices(), [hole._short_vertices() for hole in holes])
+            lambda: Region(self._checked_vertices(), [hole._checked_vertices() for hole in holes])
         )
 
-    def read(self, read: Callable[[Candidate], _Any], said: Said) -> list[_Any]:
+    def read(self, read: Callable[[Candidate], _Any], remarks: Remarks) -> list[_Any]:
         """Read the outline or, if it is not simple, the regions that it fills."""
         if not self.clean:
             try:
@@ -145,34 +145,34 @@ class Candidate(NamedTuple):
             except PolygonError:
                 if self.rule is None:
                     raise
-        return [*map(read, self.split(said))]
+        return [*map(read, self.split(remarks))]
 
-    def split(self, said: Said) -> list[Candidate]:
+    def split(self, remarks: Remarks) -> list[Candidate]:
         """Return the outline or the regions that it fills, except those smaller than `clean`."""
         pieces: list[Candidate] = [self]
         try:
             self.region()
-        except PolygonError as refusal:
+        except PolygonError as error:
             if self.rule is not None:
                 rings = [self.vertices(), *(hole.vertices() for hole in self.holes())]
                 filled = fill(rings, self.rule, measured=bool(self.error))
-                pieces = [*self.take_filled(filled)]
+                pieces = [*self.make_regions(filled)]
             if self.rule is None or not pieces:
                 raise
             regions = count(len(pieces), "polygon")
-            said.notes.append(f"{refusal}: {regions} by the fill rule {self.rule}")
+            remarks.notes.append(f"{error}: {regions} by the fill rule {self.rule}")
         found = []
         for piece in pieces:
             area = piece.region().area if self.clean else self.clean
             if area < self.clean:
-                said.left_out.append(
+                remarks.left_out.append(
                     f"{piece.place}: its area, {float(area):.3g}, is below --clean"
                 )
             else:
                 found.append(piece)
         return found
 
-    def take_filled(self, filled: Filled) -> list[Self]:
+    def make_regions(self, filled: Filled) -> list[Self]:
         error = self.error + round_root_up(filled.hidden)
         found: list[Self] = []
         for region in filled.regions:
@@ -188,17 +188,17 @@ class Candidate(NamedTuple):
 
     def _find_finer(self, found: Sequence[Self], k: int, tolerance: Fraction) -> Candidate | None:
         finer = self.finer(tolerance) if self.finer else None
-        return choose_same(found, k, finer.split(Said([], [])) if finer else [])
+        return choose_same(found, k, finer.split(Remarks([], [])) if finer else [])
 
     def _make_polygon(self) -> Polygon:
-        points = self._short_vertices()
+        points = self._checked_vertices()
         known = points.polygon if isinstance(points, SimpleLines) else None
         return known or Polygon(points)
 
     def shape(self) -> AnyPolygon:
         return self.region() if self.holes() else self.polygon()
 
-    def _short_vertices(self) -> Sequence[Point]:
+    def _checked_vertices(self) -> Sequence[Point]:
         """Parse the vertices; reject numbers that transformations made too long."""
         points = self.vertices()
         numbers = (n for c in chain.from_iterable(points) for n in c.as_integer_ratio())
@@ -216,11 +216,11 @@ class Candidate(NamedTuple):
             kind = PolygonError if isinstance(error, PolygonError) else FormatError
             raise kind(f"{self.place}: {error}" if self.place else str(error)) from None
 
-    def named_polygons(self, said: Said) -> list[NamedPolygon]:
-        return self.read(lambda c: NamedPolygon(c.polygon(), c.name, c.layer, c.error), said)
+    def named_polygons(self, remarks: Remarks) -> list[NamedPolygon]:
+        return self.read(lambda c: NamedPolygon(c.polygon(), c.name, c.layer, c.error), remarks)
 
-    def named_regions(self, said: Said) -> list[NamedRegion]:
-        return self.read(lambda c: NamedRegion(c.region(), c.name, c.layer, c.error), said)
+    def named_regions(self, remarks: Remarks) -> list[NamedRegion]:
+        return self.read(lambda c: NamedRegion(c.region(), c.name, c.layer, c.error), remarks)
 
 
 def choose_same(

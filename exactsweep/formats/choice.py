@@ -47,7 +47,8 @@ def choose(candidates: Sequence[Candidate], choice: str | None) -> Candidate:
     others = f"; {count(len(faults), 'element')} rejected, the first: {faults[0]}" if faults else ""
     raise FormatError(
         f"contains {count(len(sound), 'polygon')}; choose one by name, index or layer, as in "
-        f"FILE#{_shortest(candidates, sound[0])}: {listed}{' ...' * (len(sound) > _SHOWN)}{others}"
+        f"FILE#{_shortest_choice(candidates, sound[0])}: {listed}"
+        f"{' ...' * (len(sound) > _SHOWN)}{others}"
     )
 
 
@@ -87,7 +88,7 @@ def is_group(candidates: Sequence[Candidate], choice: str | None) -> bool:
     )
 
 
-def _shortest(candidates: Sequence[Candidate], index: int) -> str:
+def _shortest_choice(candidates: Sequence[Candidate], index: int) -> str:
     """Return the name or layer if it is unambiguous, else the index."""
     one = candidates[index]
     for word in (one.name, one.layer):
@@ -119,7 +120,7 @@ def keep_layers(outlines: Sequence[Candidate], reading: Reading) -> Sequence[Can
         else:
             found.append(one)
     for layer, number in left.items():
-        reading.notes[f"skipped: {count(number, 'shape')} on {tell_layer(layer)}"] = None
+        reading.notes[f"skipped: {count(number, 'shape')} on {describe_layer(layer)}"] = None
     return found
 
 
@@ -132,5 +133,5 @@ def get_layer(outline: Candidate) -> str | None:
     return outline.groups[-1] if outline.layer is None and outline.groups else outline.layer
 
 
-def tell_layer(layer: str | None) -> str:
+def describe_layer(layer: str | None) -> str:
     return "no layer" if layer is None else f"the layer {quote(layer)}"

@@ -44,7 +44,7 @@ def name_columns(head: Iterable[str]) -> dict[str, str]:
     return found
 
 
-def refuse_placements(head: Sequence[str], place: str) -> None:
+def reject_placements(head: Sequence[str], place: str) -> None:
     """Raise FormatError if the columns are those of a placement table."""
     meanings = [_MEANINGS.get(name, name) for name in map(_simplify, head)]
     placing = [k for k, meaning in enumerate(meanings) if meaning in _PLACING | _SIZES]

@@ -10,7 +10,7 @@ from sys import maxsize
 from threading import RLock
 
 from exactsweep.formats.candidate import Candidate, allow_faults
-from exactsweep.formats.columns import refuse_placements
+from exactsweep.formats.columns import reject_placements
 from exactsweep.formats.decimals import read_decimal
 from exactsweep.formats.error import FormatError
 from exactsweep.formats.size import VERTEX, require_count
@@ -83,7 +83,7 @@ def _parse(text: str) -> list[Candidate]:
     if twice:
         raise FormatError(f"line {first[0]}: two columns {quote(twice)}")
     needed = ["x", "y"]
-    refuse_placements(head, f"line {first[0]}")
+    reject_placements(head, f"line {first[0]}")
     needed += next((pair for pair in _SIZES if columns.keys() >= {*pair}), ())
     if not columns.keys() >= {*needed}:
         needed = [cell for cell in _WKT if cell in columns][:1]
@@ -122,10 +122,10 @@ def _read_wkt(text: str, line: int, name: str | None) -> list[Candidate]:
     try:
         found = parse_wkt(text)
     except FormatError as error:
-        return [Candidate.refused(f"line {line}: {error}", name)]
+        return [Candidate.from_error(f"line {line}: {error}", name)]
     place = f"line {line}"
     return [
-        Candidate.refused(f"{place}: {one.fault}", name)
+        Candidate.from_error(f"{place}: {one.fault}", name)
         if one.fault
         else one._replace(name=name, place=place)
         for one in found

@@ -42,7 +42,7 @@ def nest_candidates(outlines: Sequence[Candidate]) -> list[Candidate]:
         reason = f"cannot nest the outlines: {error}"
         return [one if one.ornament else one.rejected(reason) for one in outlines]
     found = nest_outlines(plain)
-    refused = [one.rejected(tell_ambiguity(one, around)) for one, around in found.ambiguous]
+    refused = [one.rejected(describe_ambiguity(one, around)) for one, around in found.ambiguous]
     return [*found.outlines, *refused, *(outline for outline in outlines if outline.ornament)]
 
 
@@ -64,12 +64,12 @@ def separate_holes(outline: Candidate) -> tuple[Region, list[Region]]:
         return exterior, holes
 
 
-def tell_ambiguity(outline: Candidate, around: Sequence[Candidate]) -> str:
-    one, other = (tell_place(ring) for ring in around)
-    return f"{tell_place(outline)} is inside {one} and inside {other}, which cross"
+def describe_ambiguity(outline: Candidate, around: Sequence[Candidate]) -> str:
+    one, other = (describe_place(ring) for ring in around)
+    return f"{describe_place(outline)} is inside {one} and inside {other}, which cross"
 
 
-def tell_place(outline: Candidate) -> str:
+def describe_place(outline: Candidate) -> str:
     if outline.name and quote(outline.name) not in outline.place:
         return f"{outline.place or 'outline'} {quote(outline.name)}"
     return outline.place or "the exterior"

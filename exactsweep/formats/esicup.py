@@ -38,7 +38,7 @@ def _read_piece(piece: Element, polygons: dict[str, Element]) -> Candidate:
         x, y = (read_decimal(component.get(f"{axis}Offset", "0")) for axis in "xy")
         points = [Point(p.x + x, p.y + y) for p in _read_corners(polygon)]
     except FormatError as error:
-        return Candidate.refused(f"{place}: {error}", name)
+        return Candidate.from_error(f"{place}: {error}", name)
     return Candidate(place, points.copy, name)
 
 

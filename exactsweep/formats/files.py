@@ -95,17 +95,17 @@ def _open(path: str) -> Iterator[BinaryIO]:
 
 @contextmanager
 def open_bytes(path: str) -> Iterator[BinaryIO]:
-    with name_failures(path), _open(path) as file:
+    with prefix_os_errors(path), _open(path) as file:
         yield file
 
 
 @contextmanager
-def name_failures(path: str, refusal: type[ExactSweepError] = FormatError) -> Iterator[None]:
+def prefix_os_errors(path: str, error_type: type[ExactSweepError] = FormatError) -> Iterator[None]:
     """Convert an OSError to an error that names the file."""
     try:
         yield
     except OSError as error:
-        raise refusal(f"{show_path(path)}: {error.strerror or error}") from None
+        raise error_type(f"{show_path(path)}: {error.strerror or error}") from None
 
 
 def split_lines(file: BinaryIO) -> Iterator[bytes]:

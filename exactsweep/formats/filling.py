@@ -65,14 +65,14 @@ def fill(rings: Sequence[Sequence[Point]], rule: Rule, *, measured: bool = False
                 edges[min(a, b), max(a, b)] += 1 if a < b else -1
     pieces = _cut(edges)
     order = {piece: k for k, piece in enumerate(pieces)}
-    wound = _wind(pieces, _IS_FILLED[rule])
+    classified = _classify(pieces, _IS_FILLED[rule])
     found = [
         [[Point(Fraction(x) / scale, Fraction(y) / scale) for x, y in ring] for ring in one]
-        for one in _gather([*_walk(wound.boundary)], wound.below, order)
+        for one in _nest_rings([*_trace(classified.boundary)], classified.below, order)
     ]
     touching = pieces.keys() != edges.keys() or len(edges) < drawn
-    is_measured = measured and touching and wound.boundary
-    hidden = _measure(wound.inside, wound.boundary) if is_measured else Fraction(0)
+    is_measured = measured and touching and classified.boundary
+    hidden = _measure(classified.inside, classified.boundary) if is_measured else Fraction(0)
     return Filled(found, touching, hidden / scale**2)
 
 
@@ -103,20 +103,20 @@ def _simplify(value: Rational) -> Rational:
     return value.numerator if value.denominator == 1 else value
 
 
-class _Wound(NamedTuple):
+class _Classified(NamedTuple):
     boundary: list[Edge]  # pieces with the filled area only on their left
     inside: list[Edge]  # other pieces next to a nonzero winding number
     below: dict[Edge, Edge | None]  # for each boundary piece, the next one below its left end
 
 
-def _wind(numbers: Mapping[Edge, int], is_filled: Callable[[int], bool]) -> _Wound:
+def _classify(numbers: Mapping[Edge, int], is_filled: Callable[[int], bool]) -> _Classified:
     """Classify pieces by the winding numbers on both sides, with a sweep line."""
     starting: defaultdict[Vertex, list[Edge]] = defaultdict(list)
     vertices = set()
     for a, b in numbers:
         starting[a].append((a, b))
         vertices |= {a, b}
-    found = _Wound([], [], {})
+    found = _Classified([], [], {})
     line: list[Edge] = []
     above: dict[Edge, int] = {}
     for vertex in sorted(vertices):
@@ -149,7 +149,7 @@ def _compare_slopes(one: Edge, other: Edge) -> int:
     return -1 if side > 0 else int(side < 0)
 
 
-def _walk(boundary: Sequence[Edge]) -> Iterator[list[Vertex]]:
+def _trace(boundary: Sequence[Edge]) -> Iterator[list[Vertex]]:
     """Trace the rings of the boundary, with the area on the left."""
     leaving: defaultdict[Vertex, list[Vertex]] = defaultdict(list)
     for a, b in boundary:
@@ -185,7 +185,7 @@ def _find_next(a: Vertex, b: Vertex, ends: Sequence[Vertex]) -> Vertex:
     return before[-1] if before else ordered[-1][1]
 
 
-def _gather(
+def _nest_rings(
     rings: Sequence[list[Vertex]], below: Mapping[Edge, Edge | None], order: Mapping[Edge, int]
 ) -> list[list[list[Vertex]]]:
     edges = [[(min(a, b), max(a, b)) for a, b in pairwise((*ring, ring[0]))] for ring in rings]

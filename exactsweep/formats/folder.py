@@ -89,7 +89,7 @@ def list_parts(
             left_out.append(str(error))
             continue
         read.append((show_path(split_choice(path)[0]), shown, candidates))
-    coordinates, notes = bring_to_one([(file, candidates) for file, _, candidates in read])
+    coordinates, notes = unify_coordinates([(file, candidates) for file, _, candidates in read])
     for file, shown, candidates in read:
         left_out += [f"{file}: {reason}" for reason in candidates.left_out]
         notes += [f"{file}: {note}" for note in candidates.notes]
@@ -108,14 +108,16 @@ def list_parts(
 _Turned = TypeVar("_Turned", Candidate, NamedRegion)
 
 
-def bring_to_one(files: Sequence[tuple[str, PartList[_Turned]]]) -> tuple[Coordinates, list[str]]:
+def unify_coordinates(
+    files: Sequence[tuple[str, PartList[_Turned]]],
+) -> tuple[Coordinates, list[str]]:
     """Flip Y in files where it points down if it points up in others; also return notes."""
     systems = {found.coordinates for _, found in files}
     notes = []
     down = [(name, found) for name, found in files if found.coordinates.y_down]
     if len({one.y_down for one in systems}) > 1:
         for name, found in down:
-            found[:] = [one.turned() for one in found]
+            found[:] = [one.flipped() for one in found]
             notes.append(f"{name}: Y axis flipped: it points down in this file and up in others")
     units = {one.unit for one in systems} - {None}
     if len(units) > 1:

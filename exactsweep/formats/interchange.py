@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any, Protocol
 from exactsweep.formats.candidate import NamedRegion
 from exactsweep.formats.choice import choose
 from exactsweep.formats.error import FormatError
-from exactsweep.formats.part_list import PartList, Said
+from exactsweep.formats.part_list import PartList, Remarks
 from exactsweep.formats.wkt import parse_wkt
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.geometry.region import AnyPolygon, Region
@@ -78,7 +78,7 @@ def parts_from_shapely(geometries: Iterable[shapely.Geometry]) -> PartList[Named
         [Fraction(1, 1), Fraction(2, 1)]
     """
 
-    def read(part: tuple[str | None, shapely.Geometry], said: Said) -> list[NamedRegion]:
+    def read(part: tuple[str | None, shapely.Geometry], remarks: Remarks) -> list[NamedRegion]:
         return [NamedRegion(Region(from_shapely(part[1])), part[0])]
 
     return PartList(_list_parts(geometries)).read_each(read)

@@ -69,7 +69,7 @@ def _read_result(node: JsonNode, document: Mapping[str, object]) -> list[Candida
     if named is not None:
         found = [one._replace(name=f"{named} {one.name}") for one in found]
     if not found and isinstance(document.get("error"), str):
-        found = [Candidate.refused(f"{node.path}: an error: {document['error']}", named)]
+        found = [Candidate.from_error(f"{node.path}: an error: {document['error']}", named)]
     return found
 
 
@@ -86,7 +86,7 @@ def _read_one(node: JsonNode) -> Candidate:
     if isinstance(value, list):
         return Candidate(path, partial(read_vertices, value, path))
     if not isinstance(value, dict):
-        return Candidate.refused(f"{path} is {describe_kind(value)}, not a list of vertices")
+        return Candidate.from_error(f"{path} is {describe_kind(value)}, not a list of vertices")
     member = next((name for name in _RINGS if name in value), "exterior")
     if member not in value:
         if "placements" in value:
@@ -100,7 +100,7 @@ def _read_one(node: JsonNode) -> Candidate:
     try:
         exterior.entries("a list of vertices")
     except FormatError as error:
-        return Candidate.refused(error, name)
+        return Candidate.from_error(error, name)
     holes = []
     if member == "exterior" and "holes" in value:
         holes = [*(node / "holes").each("a list of holes")]
@@ -129,7 +129,9 @@ def _read_geometry(
     node: JsonNode, name: str | None, depth: int, notes: dict[str, None]
 ) -> Iterator[Candidate]:
     if not isinstance(node.value, dict):
-        yield Candidate.refused(f"{node.path} is {describe_kind(node.value)}, not a Polygon", name)
+        yield Candidate.from_error(
+            f"{node.path} is {describe_kind(node.value)}, not a Polygon", name
+        )
         return
     if depth > _MAX_DEPTH:
         raise FormatError("nested too deeply")
@@ -147,7 +149,9 @@ def _read_geometry(
         for part in node.get(member, None).each():
             yield from _read_geometry(part, name, depth + 1, notes)
     else:
-        yield Candidate.refused(f"{node.path}.type is {describe_kind(kind)}, not 'Polygon'", name)
+        yield Candidate.from_error(
+            f"{node.path}.type is {describe_kind(kind)}, not 'Polygon'", name
+        )
 
 
 def _read_rings(node: JsonNode, name: str | None, notes: dict[str, None]) -> Candidate:
@@ -159,9 +163,9 @@ def _read_rings(node: JsonNode, name: str | None, notes: dict[str, None]) -> Can
             flat = [p[:2] if isinstance(p, list) and len(p) == 3 else p for p in entries]
             level.append(JsonNode(flat, ring.path))
     except FormatError as error:
-        return Candidate.refused(error, name)
+        return Candidate.from_error(error, name)
     if not rings:
-        return Candidate.refused(f"{node.path} is empty", name)
+        return Candidate.from_error(f"{node.path} is empty", name)
     if level != rings:
         notes["third coordinates (heights) are ignored"] = None
     readers = ((ring.path, partial(_read_ring, *ring)) for ring in level)

@@ -27,7 +27,7 @@ class JsonNode(NamedTuple):
 
     def __truediv__(self, name: str) -> JsonNode:
         if not isinstance(self.value, Mapping):
-            self.refuse(f"{describe_kind(self.value)}, not an object")
+            self.fail(f"{describe_kind(self.value)}, not an object")
         if name not in self.value:
             raise FormatError(f"{self.path} has no {quote(name)}")
         return JsonNode(self.value[name], f"{self.path}.{name}")
@@ -41,7 +41,7 @@ class JsonNode(NamedTuple):
 
     def entries(self, what: str = "a list") -> list[Any]:
         if not isinstance(self.value, list):
-            self.refuse(f"{describe_kind(self.value)}, not {what}")
+            self.fail(f"{describe_kind(self.value)}, not {what}")
         return self.value
 
     def each(self, what: str = "a list") -> Iterator[JsonNode]:
@@ -61,20 +61,20 @@ class JsonNode(NamedTuple):
     @property
     def whole(self) -> int:
         if self.fraction.denominator != 1:
-            self.refuse(f"{quote(self.value)}, not a whole number")
+            self.fail(f"{quote(self.value)}, not a whole number")
         return int(self.fraction)
 
     @property
     def text(self) -> str:
         if not isinstance(self.value, str):
-            self.refuse(f"{describe_kind(self.value)}, not a string")
+            self.fail(f"{describe_kind(self.value)}, not a string")
         return self.value
 
     @property
     def name(self) -> str:
         """A string or a number, as text."""
         if not isinstance(self.value, str):
-            self.refuse(f"{describe_kind(self.value)}, not a string or a number")
+            self.fail(f"{describe_kind(self.value)}, not a string or a number")
         return self.value
 
     @property
@@ -97,10 +97,10 @@ class JsonNode(NamedTuple):
     @property
     def is_true(self) -> bool:
         if not isinstance(self.value, bool):
-            self.refuse(f"{describe_kind(self.value)}, not true or false")
+            self.fail(f"{describe_kind(self.value)}, not true or false")
         return self.value
 
-    def refuse(self, reason: str) -> NoReturn:
+    def fail(self, reason: str) -> NoReturn:
         raise FormatError(f"{self.path} is {reason}")
 
 

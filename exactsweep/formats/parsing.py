@@ -84,7 +84,7 @@ def _parse(text: str, reading: Reading) -> Sequence[Candidate]:
         return plain.parse_numbers(text)
     if _WKT.match(text):
         return parse_wkt(text, reading.notes)
-    columns.refuse_placements(
+    columns.reject_placements(
         re.split(r"[,;\t]", text.lstrip()[:1000].partition("\n")[0]), "line 1"
     )
     raise FormatError(
@@ -140,7 +140,7 @@ def _read_json(text: str, reading: Reading) -> Sequence[Candidate]:
         (rows,) = document.values()
     if isinstance(rows, list) and rows and isinstance(rows[0], dict):
         is_flat = not any(isinstance(value, list | dict) for value in rows[0].values())
-        columns.refuse_placements([*rows[0]] if is_flat else [], "the first entry")
+        columns.reject_placements([*rows[0]] if is_flat else [], "the first entry")
     return find_candidates(document, notes=notes)
 
 
@@ -150,4 +150,4 @@ def _read_line(line: str, number: int, notes: dict[str, None]) -> Sequence[Candi
     except FormatError as error:
         reason = str(error).removeprefix("line 1, ")
         named = "" if reason.startswith("line ") else f"line {number}: "
-        return [Candidate.refused(f"{named}{reason}")]
+        return [Candidate.from_error(f"{named}{reason}")]

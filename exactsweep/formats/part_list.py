@@ -46,24 +46,24 @@ class PartList(list[_Listed]):
         """Return a list of other items from the same file, with further omissions."""
         return PartList(items, self.coordinates, [*self.left_out, *left_out], self.notes)
 
-    def read_each(self, read: Callable[[_Listed, Said], Iterable[_Read]]) -> PartList[_Read]:
+    def read_each(self, read: Callable[[_Listed, Remarks], Iterable[_Read]]) -> PartList[_Read]:
         """Read all items, and skip invalid ones; raises ValueError if none is left."""
         found: list[_Read] = []
-        said = Said([*self.notes], [*self.left_out])
+        remarks = Remarks([*self.notes], [*self.left_out])
         kind: type[ValueError] | None = None
         for item in self:
             try:
-                found += read(item, said)
+                found += read(item, remarks)
             except ValueError as error:
                 # Keep only the message, because an exception keeps its frames alive.
                 kind = kind or type(error)
-                said.left_out.append(str(error))
-        if said.left_out and not found:
-            raise (kind or FormatError)(summarize(said.left_out))
-        return PartList(found, self.coordinates, said.left_out, said.notes)
+                remarks.left_out.append(str(error))
+        if remarks.left_out and not found:
+            raise (kind or FormatError)(summarize(remarks.left_out))
+        return PartList(found, self.coordinates, remarks.left_out, remarks.notes)
 
 
-class Said(NamedTuple):
+class Remarks(NamedTuple):
     notes: list[str]
     left_out: list[str]
 

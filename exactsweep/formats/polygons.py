@@ -9,7 +9,7 @@ from exactsweep.formats.choice import choose, is_group, select
 from exactsweep.formats.error import FormatError
 from exactsweep.formats.files import read_text, show_path
 from exactsweep.formats.parsing import parse_candidates
-from exactsweep.formats.part_list import PartList, Said, summarize
+from exactsweep.formats.part_list import PartList, Remarks, summarize
 from exactsweep.formats.reading import Options
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.geometry.region import Region
@@ -207,12 +207,12 @@ def _read_one(
 
 def read_single(one: Candidate, read: Callable[[Candidate], _OneRead]) -> _OneRead:
     """Read one polygon; raises FormatError if an outline fills several."""
-    said = Said([], [])
-    found = one.read(read, said)
+    remarks = Remarks([], [])
+    found = one.read(read, remarks)
     if len(found) == 1:
         return found[0]
     if not found:
-        raise FormatError(summarize(said.left_out))
+        raise FormatError(summarize(remarks.left_out))
     hint = "'exactsweep convert' separates them, --clean drops small ones"
     raise FormatError(f"{one.place}: it fills {len(found)} polygons; {hint}")
 
@@ -228,7 +228,7 @@ def _read_file(
     options: Options,
 ) -> _Taken:
     file, choice = split_choice(path)
-    with name_file(file):
+    with prefix_path(file):
         return take(parse_candidates(read_text(file), tolerance, **options), choice)
 
 
@@ -249,5 +249,5 @@ def split_choice(path: str | os.PathLike[str]) -> tuple[str, str | None]:
     return path[:k], path[k + 1 :]
 
 
-def name_file(file: str) -> prefix_errors:
+def prefix_path(file: str) -> prefix_errors:
     return prefix_errors(show_path(file), FormatError)

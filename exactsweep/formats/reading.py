@@ -92,19 +92,19 @@ class Reading:
         self.ignored_layers = read_names(ignored_layers, "ignored_layers")
         self.is_svg = False
         self.found_unit: Fraction | None = None
-        self.passed: Counter[str] = Counter()
+        self.skipped: Counter[str] = Counter()
         self.notes: dict[str, None] = {}
         self.lines = self.vertices = self.copies = self.copied = 0
         # Whether zero-length strokes with round caps are discs, as in layouts.
         self.dots = False
         # Whether unfilled paths are separate outlines, to be nested with all others.
-        self.apart = bool(nested)
+        self.separate = bool(nested)
 
     def without_nesting(self) -> Reading:
         """Return fresh settings without nesting."""
         found = copy(self)
         found.nested = False
-        found.passed, found.notes = Counter(), {}
+        found.skipped, found.notes = Counter(), {}
         found.lines = found.vertices = found.copies = found.copied = 0
         return found
 
@@ -113,7 +113,7 @@ class Reading:
         given = {name: getattr(self, name) for name in Options.__annotations__}
         return cast(Options, given | {"clean": self.clean or None})
 
-    def at(self, tolerance: Fraction) -> Reading:
+    def with_tolerance(self, tolerance: Fraction) -> Reading:
         """Return fresh settings with another tolerance."""
         found = self.without_nesting()
         found.tolerance, found.nested = tolerance, self.nested
@@ -153,17 +153,17 @@ class Reading:
         self.found_unit = UNITS[self.unit]
         return unit / self.found_unit
 
-    def hides(self, reason: str) -> bool:
+    def skip_hidden(self, reason: str) -> bool:
         """Return whether to skip an element hidden for a reason ("" if visible); count it."""
         if not reason or self.hidden:
             return False
-        self.passed[reason] += 1
+        self.skipped[reason] += 1
         return True
 
     def list_hidden(self) -> list[str]:
-        return [f"hidden: {many} {what} (--hidden)" for what, many in self.passed.items()]
+        return [f"hidden: {many} {what} (--hidden)" for what, many in self.skipped.items()]
 
-    def require_level(self, heights: Sequence[Fraction]) -> None:
+    def require_planar(self, heights: Sequence[Fraction]) -> None:
         """Reject heights that differ by more than the join distance."""
         if all(height is heights[0] for height in heights):
             return

@@ -28,7 +28,7 @@ class RoundedOutline(NamedTuple):
     radius: Fraction
     error: Fraction = Fraction(0)  # bounds the distance from the true outline; 0 if rational
 
-    def turned(self) -> RoundedOutline:
+    def flipped(self) -> RoundedOutline:
         return self._replace(points=tuple(Point(x, -y) for x, y in self.points[::-1]))
 
 
@@ -70,7 +70,7 @@ def find_rounded(path: Path) -> RoundedOutline | None:
     if not is_round or not all(_fits(*join, square, left=left) for join in joins):
         return None
     points = _list_corners([arc.center for arc in arcs], left=left)
-    return None if points is None else RoundedOutline(points, radius, path.off)
+    return None if points is None else RoundedOutline(points, radius, path.error)
 
 
 def _find_circle(curve: object, forward: bool) -> tuple[Point, Fraction, bool] | None:

@@ -68,29 +68,29 @@ class _Reader:
         self._skip_name()
         found = self._list(self._point)
         if self.kind != "end":
-            self._refuse(f"{self._show()} after the end of the path")
+            self._fail(f"{self._show()} after the end of the path")
         return found
 
     def _skip_name(self) -> None:
         self._advance()
         if self.word.upper() in ("M", "ZM"):
-            self._refuse("M coordinates are not supported")
+            self._fail("M coordinates are not supported")
         if self.word.upper() == "Z":
             self._advance()
 
     def _geometry(self, depth: int) -> Iterator[Candidate]:
         place, kind = self._place(), self.word.upper()
         if kind not in ("POLYGON", "MULTIPOLYGON", "GEOMETRYCOLLECTION", *_OTHERS):
-            self._refuse(f"expected POLYGON or MULTIPOLYGON, found {self._show()}")
+            self._fail(f"expected POLYGON or MULTIPOLYGON, found {self._show()}")
         if depth > _MAX_DEPTH:
-            self._refuse("nested too deeply")
+            self._fail("nested too deeply")
         self._skip_name()
         if self.word.upper() == "EMPTY":
-            yield Candidate.refused(f"{self._place()}: the polygon is empty")
+            yield Candidate.from_error(f"{self._place()}: the polygon is empty")
             self._advance()
         elif kind in _OTHERS:
             self._list(self._point)
-            yield Candidate.refused(f"{place}: {kind} is neither POLYGON nor MULTIPOLYGON")
+            yield Candidate.from_error(f"{place}: {kind} is neither POLYGON nor MULTIPOLYGON")
         elif kind == "POLYGON":
             yield self._polygon()
         elif kind == "MULTIPOLYGON":
@@ -129,17 +129,17 @@ class _Reader:
 
     def _number(self) -> Fraction:
         if self.kind != "number":
-            self._refuse(f"expected a number, found {self._show()}")
+            self._fail(f"expected a number, found {self._show()}")
         try:
             value = read_decimal(self.word)
         except NumberError as error:
-            self._refuse(str(error))
+            self._fail(str(error))
         self._advance()
         return value
 
     def _expect(self, mark: str) -> None:
         if self.word != mark:
-            self._refuse(f"expected '{mark}', found {self._show()}")
+            self._fail(f"expected '{mark}', found {self._show()}")
         self._advance()
 
     def _advance(self) -> None:
@@ -156,7 +156,7 @@ class _Reader:
         line = bisect_right(self.lines, self.offset)
         return f"line {line}, column {self.offset - self.lines[line - 1] + 1}"
 
-    def _refuse(self, reason: str) -> NoReturn:
+    def _fail(self, reason: str) -> NoReturn:
         raise FormatError(f"{self._place()}: {reason}")
 
 

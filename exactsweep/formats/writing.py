@@ -62,7 +62,7 @@ def format_polygons(
         raise FormatError("no polygon to write")
     coordinates = coordinates or Coordinates(form == "svg")
     if coordinates.y_down != (form == "svg"):
-        named = [one.turned() for one in named]
+        named = [one.flipped() for one in named]
         fits = [(Point(p.x, -p.y), Point(q.x, -q.y)) for p, q in fits]
     if decimals and form == "json":
         return _json(named, fits, None, format_decimal)

@@ -22,7 +22,7 @@ _HALVES: dict[Half, str] = {
 }
 
 
-def tell(s: SweepAnswer) -> Iterator[str]:
+def describe_steps(s: SweepAnswer) -> Iterator[str]:
     """Explain a sweep; yield ASCII lines.
 
     The steps around D come first, then the holes of the no-fit polygon and the exact fits. Features
@@ -31,14 +31,14 @@ def tell(s: SweepAnswer) -> Iterator[str]:
 
     >>> from exactsweep import sweep
     >>> square = [(0, 0), (1, 0), (1, 1), (0, 1)]
-    >>> lines = list(tell(sweep(square, [(0, 0), (3, 0), (0, 3)])))
+    >>> lines = list(describe_steps(sweep(square, [(0, 0), (3, 0), (0, 3)])))
     >>> print(*lines[7:9], sep=chr(10))
     Step 0: right, along (1,0), from (-1,-1) to (3,-1)
       EE: edge 2 of G, (1,1)-(0,1), slides along edge 0 of D, (0,0)-(3,0)
     """
     steps = explain(s)
-    teller = _Teller(s)
-    yield from teller.opening(steps)
+    narrator = _Narrator(s)
+    yield from narrator.opening(steps)
     half = None
     for k, step in enumerate(steps):
         if step.half != half and s.kind != "SS":
@@ -49,12 +49,12 @@ def tell(s: SweepAnswer) -> Iterator[str]:
             f"Step {k}: {name_heading(step.direction)}, along {write_pair(step.direction)}, "
             f"from {write_pair(step.start)} to {write_pair(step.end)}"
         )
-        for line in teller.step(step, steps[(k + 1) % len(steps)]):
+        for line in narrator.step(step, steps[(k + 1) % len(steps)]):
             yield f"  {line}"
         yield ""
     yield f"G is back at {write_pair(steps[0].start)}."
-    yield from teller.holes()
-    yield from teller.fits()
+    yield from narrator.holes()
+    yield from narrator.fits()
 
 
 class _FeatureNames:
@@ -77,7 +77,7 @@ class _FeatureNames:
                 self.reflex.add(i)
 
 
-class _Teller:
+class _Narrator:
     def __init__(self, s: SweepAnswer) -> None:
         self.sweep = s
         self.g = _FeatureNames(s.generatrix, "G")
@@ -150,7 +150,7 @@ class _Teller:
             yield ""
             if start == end:
                 yield f"-- Exact fit {k}: G fits at {write_pair(start)} and cannot move --"
-                for contact in self._choose_telling(s.contacts_at(start)):
+                for contact in self._drop_implied(s.contacts_at(start)):
                     g, d = self._name(contact)
                     yield f"  {contact.event}: {g}, is on {d}"
             else:
@@ -181,9 +181,7 @@ class _Teller:
             meetings = (", is on ".join(self._name(contact)) for contact in step.reasons)
             return f"Corner: {', and '.join(meetings)}"
         if step.ending == "stop":
-            stops = (
-                self._stop(contact, step.end) for contact in self._choose_telling(step.reasons)
-            )
+            stops = (self._stop(contact, step.end) for contact in self._drop_implied(step.reasons))
             return f"Stop: {', and '.join(stops)}"
         return "Slot: nothing stops G, but straight ahead it would enter an exact fit"
 
@@ -201,7 +199,7 @@ class _Teller:
             return f"{g}, enters the reflex corner at {d}"
         return f"{g}, runs into {d}"
 
-    def _choose_telling(self, contacts: Iterable[Contact]) -> list[Contact]:
+    def _drop_implied(self, contacts: Iterable[Contact]) -> list[Contact]:
         """Drop contacts implied by an edge-edge contact."""
         contacts = list(contacts)
         implied: set[Contact] = set()

@@ -89,7 +89,9 @@ def report(
         "exact fits": str(len(sweep.exact_fits)),
     }
     given = {"generatrix": sweep.generatrix, "directrix": sweep.directrix}
-    return _tell(facts, given, loops, "swept area", sweep.area, (), terminal_width, everything)
+    return _format_report(
+        facts, given, loops, "swept area", sweep.area, (), terminal_width, everything
+    )
 
 
 def report_no_fit(
@@ -109,7 +111,9 @@ def report_no_fit(
         "exact fits": str(len(n.exact_fits)),
     }
     given = {"stationary": n.stationary, "orbiting": n.orbiting}
-    return _tell(facts, given, loops, "no fit", n.area, n.exact_fits, terminal_width, everything)
+    return _format_report(
+        facts, given, loops, "no fit", n.area, n.exact_fits, terminal_width, everything
+    )
 
 
 def report_regions(
@@ -137,10 +141,10 @@ def report_regions(
     }
     single = {name: shape for name, shape in given.items() if isinstance(shape, Region)}
     fits, name = f.exact_fits, "positions" if "part" in given else "no fit"
-    return _tell(facts, single, loops, name, f.area, fits, terminal_width, everything)
+    return _format_report(facts, single, loops, name, f.area, fits, terminal_width, everything)
 
 
-def _tell(
+def _format_report(
     facts: Mapping[str, str],
     given: Mapping[str, AnyPolygon],
     loops: Mapping[str, Polygon],

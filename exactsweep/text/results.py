@@ -38,7 +38,7 @@ def sweep_to_json(sweep: SweepAnswer, error: Fraction = _ZERO) -> str:
         **{name: _write(loop.vertices) for name, loop in loops.items()},
         **({"unswept": _write(_loops(sweep.unswept))} if sweep.kind == "SS" else {}),
         "area": _write(sweep.area),
-        **_tell_error(error),
+        **_format_error(error),
     }
     return write_object(texts)
 
@@ -55,7 +55,7 @@ def no_fit_to_json(n: NoFitAnswer, error: Fraction = _ZERO) -> str:
             "holes": _write(_loops(n.holes)),
             "exact_fits": _write(n.exact_fits),
             "area": _write(n.area),
-            **_tell_error(error),
+            **_format_error(error),
         }
     )
 
@@ -68,12 +68,12 @@ def regions_to_json(f: RegionAnswer, error: Fraction = _ZERO) -> str:
             "regions": _write([_rings(region) for region in f.regions]),
             "exact_fits": _write(f.exact_fits),
             "area": _write(f.area),
-            **_tell_error(error),
+            **_format_error(error),
         }
     )
 
 
-def _tell_error(error: Fraction) -> dict[str, str]:
+def _format_error(error: Fraction) -> dict[str, str]:
     return {"error": _write(error)} if error else {}
 
 
@@ -109,8 +109,8 @@ def explanation_to_json(sweep: SweepAnswer) -> str:
             **_input(sweep),
             "features": _write(
                 {
-                    "generatrix": list_numbers(sweep.generatrix),
-                    "directrix": list_numbers(sweep.directrix),
+                    "generatrix": list_indices(sweep.generatrix),
+                    "directrix": list_indices(sweep.directrix),
                 }
             ),
             "undercuts": _write([_undercut(undercut) for undercut in sweep.undercuts]),
@@ -158,7 +158,7 @@ def direction_to_json(direction: Vector | None) -> str:
     return f"[{', '.join(format_fraction(Fraction(component)) for component in direction)}]"
 
 
-def list_numbers(shape: AnyPolygon) -> dict[str, list[int]]:
+def list_indices(shape: AnyPolygon) -> dict[str, list[int]]:
     """List the indices of vertices, and of the edges that start there, in the caller's input."""
     size = len(shape)
     return {

@@ -22,7 +22,7 @@ from exactsweep.geometry.region import AnyPolygon
 from exactsweep.geometry.vectors import orientation
 from exactsweep.numbers.digits import format_fraction
 from exactsweep.numbers.number import Fit, Point
-from exactsweep.text.results import list_numbers
+from exactsweep.text.results import list_indices
 from exactsweep.view.meetings import Meetings, find_meetings
 from exactsweep.words import CLASSES
 
@@ -284,4 +284,4 @@ def _around_anchor(s: Moving, scale: Scale) -> dict[str, Any]:
 
 
 def _number(shape: AnyPolygon) -> dict[str, list[int]]:
-    return {**list_numbers(shape), "rings": [len(ring) for ring in shape.rings]}
+    return {**list_indices(shape), "rings": [len(ring) for ring in shape.rings]}

@@ -15,7 +15,7 @@ from exactsweep.check import classify
 from exactsweep.check.location import point_in_polygon
 from exactsweep.evidence.contact import Contact, find_contacts
 from exactsweep.evidence.steps import Step, blocks, explain
-from exactsweep.text.explanation import tell
+from exactsweep.text.explanation import describe_steps
 
 SQUARE = [(0, 0), (1, 0), (1, 1), (0, 1)]
 SLOT = [(0, 0), (3, 0), (3, 5), (2, 5), (2, 1), (1, 1), (1, 3), (0, 3)]
@@ -313,7 +313,7 @@ def test_features_are_numbered_as_in_the_input(
 @also_known
 @given(any_sweeps())
 def test_the_story_tells_every_step_undercut_and_fit(s: Sweep) -> None:
-    lines = list(tell(s))
+    lines = list(describe_steps(s))
     text = "\n".join(lines)
     assert text.isascii()
     assert "\n\n\n" not in text

@@ -323,11 +323,11 @@ def test_products_of_maps_bound_their_error(
     o: Fraction,
     p: Fraction,
 ) -> None:
-    last, first = make_affine(*one)._replace(off=o), make_affine(*two)._replace(off=p)
+    last, first = make_affine(*one)._replace(error=o), make_affine(*two)._replace(error=p)
     true_last = Affine(*(x + o * sign for x, sign in zip(one, up, strict=True)))
     true_first = Affine(*(x + p * sign for x, sign in zip(two, down, strict=True)))
     found, true = last @ first, true_last @ true_first
-    assert all(abs(a - b) <= found.off for a, b in zip(found[:6], true[:6], strict=True))
+    assert all(abs(a - b) <= found.error for a, b in zip(found[:6], true[:6], strict=True))
 
 
 @given(
@@ -354,9 +354,9 @@ def test_huge_numbers_of_lines_are_abridged() -> None:
 
 def test_errors_beyond_a_sixteenth_of_the_tolerance_are_rejected() -> None:
     ends = Point(Fraction(0), Fraction(0)), Point(Fraction(3), Fraction(4))
-    assert Path(ends, off=Fraction(1, 16)).draw(Fraction(1), Reading()) == [*ends]
+    assert Path(ends, error=Fraction(1, 16)).draw(Fraction(1), Reading()) == [*ends]
     with pytest.raises(FormatError, match="too large for an irrational"):
-        Path(ends, off=Fraction(1, 16) + Fraction(1, 10**9)).draw(Fraction(1), Reading())
+        Path(ends, error=Fraction(1, 16) + Fraction(1, 10**9)).draw(Fraction(1), Reading())
 
 
 @pytest.mark.parametrize("place", range(4))

@@ -201,5 +201,7 @@ def _read_dxf(text: str) -> list[list[tuple[float, float]]]:
 
 def test_regions_flip_with_their_holes() -> None:
     plate = NamedRegion(Region([(0, 0), (9, 0), (0, 9)], [[(1, 1), (3, 1), (1, 2)]]), "p")
-    assert plate.turned().region == Region([(0, 0), (9, 0), (0, -9)], [[(1, -1), (3, -1), (1, -2)]])
-    assert plate.turned().turned() == plate
+    assert plate.flipped().region == Region(
+        [(0, 0), (9, 0), (0, -9)], [[(1, -1), (3, -1), (1, -2)]]
+    )
+    assert plate.flipped().flipped() == plate

@@ -197,14 +197,14 @@ def test_the_number_of_rejected_elements_is_bounded(
 ) -> None:
     """Exceptions that keep their frames took 2.8 GB for 2 MiB of GeoJSON."""
     made = 0
-    refused = Candidate.refused
+    make = Candidate.from_error
 
     def count(*words: str | None, ornament: bool = False) -> Candidate:
         nonlocal made
         made += 1
-        return refused(*words, ornament=ornament)  # type: ignore[arg-type]
+        return make(*words, ornament=ornament)  # type: ignore[arg-type]
 
-    monkeypatch.setattr(Candidate, "refused", count)
+    monkeypatch.setattr(Candidate, "from_error", count)
     with pytest.raises(FormatError, match=f"more than {MAX_FAULTS:,} "):
         parse_polygon(text(3 * MAX_FAULTS))
     assert made == MAX_FAULTS + 1

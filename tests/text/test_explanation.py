@@ -10,7 +10,7 @@ from strategies import simple_polygons
 from tiers import examples
 
 from exactsweep import Polygon, no_fit_polygon, sweep
-from exactsweep.text.explanation import tell
+from exactsweep.text.explanation import describe_steps
 from exactsweep.text.report import report
 from exactsweep.text.results import explanation_to_json, no_fit_to_json
 
@@ -19,7 +19,7 @@ from exactsweep.text.results import explanation_to_json, no_fit_to_json
 @given(simple_polygons(), simple_polygons())
 def test_every_sweep_is_explained(g: Polygon, d: Polygon) -> None:
     s = sweep(g, d)
-    lines = list(tell(s))
+    lines = list(describe_steps(s))
     assert sum(line.startswith("Step ") for line in lines) == len(s.trajectory)
     assert "".join(lines).isascii()
     assert report(s).isascii()
@@ -35,7 +35,7 @@ def test_every_sweep_is_explained(g: Polygon, d: Polygon) -> None:
 def test_a_stop_at_a_wall_omits_the_ends_of_its_edges(height: int) -> None:
     g = [(0, 0), (3, 0), (3, 3), (0, 3)]
     d = [(0, -1), (10, -1), (10, 0), (4, 0), (4, height), (0, height)]
-    (stop,) = (line for line in tell(sweep(g, d)) if "Stop: " in line)
+    (stop,) = (line for line in describe_steps(sweep(g, d)) if "Stop: " in line)
     line = f"edge 3 of G, (0,3)-(0,0), comes flush with edge 3 of D, (4,0)-(4,{height})"
     assert stop.split(";")[0] == f"  Stop: {line}"
 
@@ -60,6 +60,10 @@ def test_many_steps_take_linear_time() -> None:
     def explain_teeth(teeth: int) -> None:
         top = [(100 * k, 10**7 * (k % 2)) for k in range(teeth, -1, -1)]
         s = sweep(parabola, [(0, -1), (100 * teeth, -1), *top])
-        assert sum(line.startswith("Step") for line in tell(s)) == len(s.trajectory) > 50 * teeth
+        assert (
+            sum(line.startswith("Step") for line in describe_steps(s))
+            == len(s.trajectory)
+            > 50 * teeth
+        )
 
     require_linear(explain_teeth, 12)

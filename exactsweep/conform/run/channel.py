@@ -11,7 +11,7 @@ from typing import IO
 from exactsweep.conform.judge.verdict import Verdict
 from exactsweep.conform.run.peer import MAX_STDERR
 from exactsweep.numbers.limits import get_limits
-from exactsweep.processes import Started
+from exactsweep.processes import ChildProcess
 
 _CHUNK = 65536
 _LAST_CHUNKS = 16
@@ -47,7 +47,7 @@ class Channel:
     def __init__(self, command: Sequence[str], most: int | None = None) -> None:
         self._most = most
         self.peak: int | None = None
-        self._started = Started(command)
+        self._started = ChildProcess(command)
         process = self._started.process
         self._selector = selectors.DefaultSelector()
         self._incoming, self._searched = bytearray(), 0
@@ -64,7 +64,7 @@ class Channel:
     def send(self, line: str) -> None:
         """Queue a line, which `receive` writes while it waits, and reset the peak."""
         self._outgoing += line.encode() + b"\n"
-        self._started.forget_peak()
+        self._started.reset_peak()
         self.peak = None
 
     def receive(self, seconds: float) -> str:

@@ -10,7 +10,7 @@ from exactsweep.conform.run.outcome import Outcome, outcome_from_json
 from exactsweep.conform.run.process import Terms
 from exactsweep.conform.run.protocol import Hello
 from exactsweep.formats import show_path
-from exactsweep.formats.files import name_failures
+from exactsweep.formats.files import prefix_os_errors
 from exactsweep.numbers.digits import format_fraction
 from exactsweep.numbers.error import ExactSweepError
 from exactsweep.numbers.limits import get_limits
@@ -46,7 +46,7 @@ class Journal:
         }
         if path.exists() and not resume:
             raise JournalError(f"{self._name} already exists; continue with --resume, or delete it")
-        with name_failures(self._path, JournalError), ExitStack() as refused:
+        with prefix_os_errors(self._path, JournalError), ExitStack() as refused:
             self._file = refused.enter_context(path.open("a+b"))  # it writes at the end
             self._begin(head)
             refused.pop_all()
@@ -108,7 +108,7 @@ class Journal:
                 raise JournalError(f"{self._name} is the journal of a different {what}")
 
     def _write(self, data: Mapping[str, Any]) -> None:
-        with name_failures(self._path, JournalError):
+        with prefix_os_errors(self._path, JournalError):
             self._file.write(_line(data))
             self._file.flush()
 

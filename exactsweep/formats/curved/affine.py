@@ -14,7 +14,7 @@ _ZERO = Fraction(0)
 class Affine(NamedTuple):
     """The map (x, y) -> (a x + c y + e, b x + d y + f), in the order of SVG's `matrix`.
 
-    If the true map is irrational, its coefficients differ by at most `off`.
+    If the true map is irrational, its coefficients differ by at most `error`.
     """
 
     a: Fraction
@@ -23,19 +23,22 @@ class Affine(NamedTuple):
     d: Fraction
     e: Fraction
     f: Fraction
-    off: Fraction = Fraction(0)
+    error: Fraction = Fraction(0)
 
     def __matmul__(self, first: Affine) -> Affine:
         """Return the map that applies `first` and then this one."""
         if self is IDENTITY or first is IDENTITY:
             return first if self is IDENTITY else self
         x, y = self.vector(first.a, first.b), self.vector(first.c, first.d)
-        off = Fraction(0)
-        if self.off or first.off:
+        error = Fraction(0)
+        if self.error or first.error:
             # A coefficient of the product is a sum of two products, plus at most one coefficient.
             largest, other = max(map(abs, self[:4])), max(map(abs, first[:6]))
-            off = 2 * (largest * first.off + other * self.off + self.off * first.off) + self.off
-        return Affine(*x, *y, *self.point(first.e, first.f), off)
+            error = (
+                2 * (largest * first.error + other * self.error + self.error * first.error)
+                + self.error
+            )
+        return Affine(*x, *y, *self.point(first.e, first.f), error)
 
     def point(self, x: Fraction, y: Fraction) -> Point:
         if self is IDENTITY:
@@ -47,10 +50,10 @@ class Affine(NamedTuple):
         """Map a difference of two points."""
         return Point(_add_products(self.a, x, self.c, y), _add_products(self.b, x, self.d, y))
 
-    def error(self, points: Iterable[Point]) -> Fraction:
+    def bound_error(self, points: Iterable[Point]) -> Fraction:
         """Bound the error of images of points in the convex hull of `points`."""
-        # The error of each coordinate is at most off * (|x| + |y| + 1).
-        return 2 * self.off * (1 + max(abs(x) + abs(y) for x, y in points))
+        # The error of each coordinate is at most error * (|x| + |y| + 1).
+        return 2 * self.error * (1 + max(abs(x) + abs(y) for x, y in points))
 
 
 def _add_products(a: Fraction, x: Fraction, b: Fraction, y: Fraction) -> Fraction:

@@ -14,7 +14,7 @@ from exactsweep.formats.error import FormatError
 from exactsweep.geometry.turn import bound_half_tangent, find_pi, from_half_tangent
 from exactsweep.numbers.number import Point
 
-_DIGITS, _ROOM = 101, 20
+_DIGITS, _GUARD = 101, 20
 _MAX_TURN = 10**6
 _NEAR = Fraction(1, 10**40)
 _FULL = Fraction(360)
@@ -26,17 +26,17 @@ def make_arc(image: Affine, start: Fraction, end: Fraction) -> Path:
     points = [image.point(*find_unit_point(angle, _NEAR)) for angle in (start, end)]
     radians = pi / 180
     arc = Arc(
-        image._replace(off=Fraction(0)), float(start % _FULL) * radians, float(span) * radians
+        image._replace(error=Fraction(0)), float(start % _FULL) * radians, float(span) * radians
     )
     size = Fraction(sum(map(abs, image[:4])))
-    return Path(points, {0: (arc, True)}, image.error([Point(size, size)]))
+    return Path(points, {0: (arc, True)}, image.bound_error([Point(size, size)]))
 
 
 def make_rotation(degrees: Fraction, power: int = 1) -> Affine:
     """Make a rotation, with an error of at most 10**(-40 * power)."""
-    off = _NEAR**power if degrees % 90 else Fraction(0)
-    c, s = find_unit_point(degrees, off)
-    return make_affine(c, s, -s, c, 0, 0)._replace(off=off)
+    error = _NEAR**power if degrees % 90 else Fraction(0)
+    c, s = find_unit_point(degrees, error)
+    return make_affine(c, s, -s, c, 0, 0)._replace(error=error)
 
 
 def find_unit_point(degrees: Fraction, allowed: Fraction) -> Point:
@@ -67,7 +67,7 @@ def to_degrees(radians: Fraction) -> Fraction:
         raise FormatError(f"an angle beyond {_MAX_TURN} radians")
     digits = _DIGITS
     while True:
-        degrees = round(radians * 180 / find_pi(4 * (digits + _ROOM)), digits)
+        degrees = round(radians * 180 / find_pi(4 * (digits + _GUARD)), digits)
         if degrees % 90 or not radians:
             return degrees
         digits *= 2

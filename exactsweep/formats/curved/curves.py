@@ -1,6 +1,6 @@
 """Bezier curves and elliptical arcs, with rational points on a decimal grid.
 
-A *place* is a parameter from 0 to 1 in units of 2**-30.
+A *parameter* is a parameter from 0 to 1 in units of 2**-30.
 
 (1) Between parameters at distance h, a curve C and its chord differ by at most h**2 / 8 * max |C''|
     (linear interpolation).
@@ -21,8 +21,8 @@ from typing import NamedTuple, Protocol
 from exactsweep.formats.curved.affine import Affine
 from exactsweep.numbers.number import Point
 
-BITS = 30  # of a place
-WHOLE = 1 << BITS  # the place at the end of a curve
+BITS = 30  # of a parameter
+WHOLE = 1 << BITS  # the parameter at the end of a curve
 _TURN_BITS = 40
 _MARGIN = Fraction(1 + 2**-20)
 
@@ -36,11 +36,11 @@ class Curve(Protocol):
     def least(self) -> int:
         """Return the minimum number of chords."""
 
-    def points(self, places: Iterable[int], grid: int) -> list[Point]:
-        """Return the points at the given places, rounded to multiples of 1 / grid."""
+    def points(self, parameters: Iterable[int], grid: int) -> list[Point]:
+        """Return the points at the given parameters, rounded to multiples of 1 / grid."""
 
     def sampler(self) -> Callable[[int], complex]:
-        """Return a function from places to float points relative to the start."""
+        """Return a function from parameters to float points relative to the start."""
 
 
 class Bezier(NamedTuple):
@@ -78,7 +78,7 @@ class Bezier(NamedTuple):
         scale = lcm(*(number.denominator for point in self.controls for number in point))
         return scale, [(int(x * scale), int(y * scale)) for x, y in self.controls]
 
-    def points(self, places: Iterable[int], grid: int) -> list[Point]:
+    def points(self, parameters: Iterable[int], grid: int) -> list[Point]:
         scale, controls = self._lattice()
         columns: list[Sequence[int]] = [*zip(*controls, strict=True)]
         if self.weights:
@@ -90,8 +90,8 @@ class Bezier(NamedTuple):
         forms = [_find_powers(column) for column in columns]
         xs, ys = [], []
         whole = scale << (BITS * degree)
-        for place in places:
-            x, y, *rest = (_evaluate(form, place) for form in forms)
+        for parameter in parameters:
+            x, y, *rest = (_evaluate(form, parameter) for form in forms)
             w = rest[0] * scale if rest else whole
             xs.append((2 * x * grid + w) // (2 * w))
             ys.append((2 * y * grid + w) // (2 * w))
@@ -104,8 +104,8 @@ class Bezier(NamedTuple):
             (complex(p - x, q - y) * w, w) for (p, q), w in zip(self.controls, weights, strict=True)
         ]
 
-        def near(place: int) -> complex:
-            t, row = place / WHOLE, lifted
+        def near(parameter: int) -> complex:
+            t, row = parameter / WHOLE, lifted
             while len(row) > 1:
                 row = [(a + t * (b - a), v + t * (w - v)) for (a, v), (b, w) in pairwise(row)]
             point, weight = row[0]
@@ -139,13 +139,13 @@ class Arc(NamedTuple):
         """Return one chord per quarter turn, rounded up."""
         return max(1, ceil(self.span / (pi / 2) - 2**-30))
 
-    def points(self, places: Iterable[int], grid: int) -> list[Point]:
+    def points(self, parameters: Iterable[int], grid: int) -> list[Point]:
         image = self.image[:6]
         scale = lcm(*(number.denominator for number in image))
         a, b, c, d, e, f = (int(number * scale) for number in image)
         xs, ys = [], []
-        for place in places:
-            cosine, sine, w = _find_unit_point(self.first + self.span * (place / WHOLE))
+        for parameter in parameters:
+            cosine, sine, w = _find_unit_point(self.first + self.span * (parameter / WHOLE))
             x, y = a * cosine + c * sine + e * w, b * cosine + d * sine + f * w
             w *= scale
             xs.append((2 * x * grid + w) // (2 * w))
@@ -155,9 +155,9 @@ class Arc(NamedTuple):
     def sampler(self) -> Callable[[int], complex]:
         a, b, c, d = map(float, self.image[:4])
 
-        def near(place: int) -> complex:
+        def near(parameter: int) -> complex:
             # A difference of cosines would cancel for small arcs.
-            half = self.span * (place / WHOLE) / 2
+            half = self.span * (parameter / WHOLE) / 2
             step = 2j * sin(half) * rect(1, self.first + half)
             return complex(a * step.real + c * step.imag, b * step.real + d * step.imag)
 
@@ -235,12 +235,12 @@ def _find_powers(column: Sequence[int]) -> list[int]:
     return found[::-1]
 
 
-def _evaluate(powers: Sequence[int], place: int) -> int:
+def _evaluate(powers: Sequence[int], parameter: int) -> int:
     """Evaluate by Horner's rule; the result is scaled by WHOLE to the degree."""
     value, shift = powers[0], 0
     for power in powers[1:]:
         shift += BITS
-        value = value * place + (power << shift)
+        value = value * parameter + (power << shift)
     return value
 
 

@@ -10,7 +10,7 @@ from exactsweep.formats.curved.arc import make_arc, to_degrees
 from exactsweep.formats.curved.curves import find_arc_center, make_round_arc
 from exactsweep.formats.curved.dxf_block import Blocks, PlacedEntity
 from exactsweep.formats.curved.dxf_entity import Entity, read_drawing
-from exactsweep.formats.curved.join import OpenLine, draw_outline, gather
+from exactsweep.formats.curved.join import OpenLine, draw_outline, join_layers
 from exactsweep.formats.curved.path import CURVED, Path, draw_circle, draw_lines, find_share
 from exactsweep.formats.curved.spline import Spline
 from exactsweep.formats.error import FormatError, OrnamentError
@@ -30,7 +30,7 @@ def parse_dxf(text: str, reading: Reading) -> list[Candidate]:
     image = make_scaling(scale, scale)
     blocks = Blocks(drawing, reading)
     placed = (one for entity in drawing.entities for one in blocks.place(entity, image))
-    return gather((_draw(one, reading) for one in placed), reading)
+    return join_layers((_draw(one, reading) for one in placed), reading)
 
 
 def _draw(placed: PlacedEntity, reading: Reading) -> Candidate | OpenLine:
@@ -48,12 +48,12 @@ def _draw(placed: PlacedEntity, reading: Reading) -> Candidate | OpenLine:
         return shape.rejected(f"{shape.place}: {error}", ornament=is_ornament)
     if path.is_closed and (len(path.points) > 2 or path.curves):
         return draw_outline(path, shape, reading)
-    return OpenLine.of(shape, path, is_exact=not placed.image.off and kind not in _ROUND)
+    return OpenLine.from_path(shape, path, is_exact=not placed.image.error and kind not in _ROUND)
 
 
 def _read_line(entity: Entity, image: Affine, reading: Reading) -> Path:
-    reading.require_level(entity.take(30, 31, default="0"))
-    x, y, u, v = entity.take(10, 20, 11, 21)
+    reading.require_planar(entity.values(30, 31, default="0"))
+    x, y, u, v = entity.values(10, 20, 11, 21)
     return draw_lines([Point(x, y), Point(u, v)], image)
 
 
@@ -92,11 +92,11 @@ def _read_circle(entity: Entity, image: Affine, reading: Reading) -> Path:
     image = image @ entity.plane @ make_shift(*center) @ make_scaling(radius, radius)
     if entity.kind == "CIRCLE":
         return draw_circle(image)
-    return _turn(image, entity.number(50), entity.number(51), reading)
+    return _draw_arc(image, entity.number(50), entity.number(51), reading)
 
 
 def _read_ellipse(entity: Entity, image: Affine, reading: Reading) -> Path:
-    reading.require_level([_ZERO, entity.number(31, "0")])
+    reading.require_planar([_ZERO, entity.number(31, "0")])
     center, (x, y), ratio = entity.point(10), entity.point(11), entity.number(40)
     if not (x or y) or not ratio:
         raise FormatError("an axis has no length")
@@ -104,10 +104,10 @@ def _read_ellipse(entity: Entity, image: Affine, reading: Reading) -> Path:
         ratio = -ratio
     image = image @ make_affine(x, y, -ratio * y, ratio * x, *center)
     start, end = (to_degrees(entity.number(code, "0")) for code in (41, 42))
-    return _turn(image, start, end, reading)
+    return _draw_arc(image, start, end, reading)
 
 
-def _turn(image: Affine, start: Fraction, end: Fraction, reading: Reading) -> Path:
+def _draw_arc(image: Affine, start: Fraction, end: Fraction, reading: Reading) -> Path:
     """Draw the image of an arc of the unit circle, or the whole circle if the gap is invisible."""
     span = (end - start) % _FULL
     gap = min(span, _FULL - span) / 50  # an upper bound in radians
@@ -120,7 +120,7 @@ def _turn(image: Affine, start: Fraction, end: Fraction, reading: Reading) -> Pa
 
 def _read_spline(entity: Entity, image: Affine, reading: Reading) -> Path:
     points = entity.points(10)
-    reading.require_level(entity.numbers(30 if points else 31))
+    reading.require_planar(entity.numbers(30 if points else 31))
     if points:
         weights = entity.numbers(41)
         plain = weights if any(weight != 1 for weight in weights) else []
@@ -133,7 +133,7 @@ def _read_spline(entity: Entity, image: Affine, reading: Reading) -> Path:
 
 def _read_solid(entity: Entity, image: Affine, reading: Reading) -> Path:
     """Read a filled triangle or quadrilateral; DXF swaps the last two corners."""
-    reading.require_level(entity.take(30, 31, 32, 33, default="0"))
+    reading.require_planar(entity.values(30, 31, 32, 33, default="0"))
     codes = (10, 11, 13, 12) if entity.numbers(13) else (10, 11, 12)
     return draw_lines([entity.point(code) for code in (*codes, 10)], image @ entity.plane)
 

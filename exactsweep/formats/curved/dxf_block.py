@@ -12,8 +12,17 @@ from exactsweep.numbers.error import quote
 
 MAX_DEPTH = 32  # of nested blocks
 # Entities that draw no outline.
-_NOTES = {"TEXT", "MTEXT", "ATTDEF", "ATTRIB", "DIMENSION", "LEADER", "MULTILEADER", "TOLERANCE"}
-_NOTES |= {"POINT", "VIEWPORT", "IMAGE", "WIPEOUT"}
+_ANNOTATIONS = {
+    "TEXT",
+    "MTEXT",
+    "ATTDEF",
+    "ATTRIB",
+    "DIMENSION",
+    "LEADER",
+    "MULTILEADER",
+    "TOLERANCE",
+}
+_ANNOTATIONS |= {"POINT", "VIEWPORT", "IMAGE", "WIPEOUT"}
 
 
 class PlacedEntity(NamedTuple):
@@ -48,12 +57,12 @@ class Blocks:
             self.reading.notes[f"the layer {quote(placed.layer)} does not plot, but is read"] = None
         on_layer = reason and f"on the layer {quote(placed.layer)}, which is {reason}"
         what = placed.entity.hidden or on_layer
-        return bool(what) and self.reading.hides(f"{placed.entity.kind} {what}")
+        return bool(what) and self.reading.skip_hidden(f"{placed.entity.kind} {what}")
 
     def _place(self, placed: PlacedEntity, around: tuple[str, ...]) -> Iterator[PlacedEntity]:
         if around:
             self.reading.allow_copies(1, placed.entity.size, "blocks expand to", "entities")
-        if placed.entity.kind in _NOTES or self._is_hidden(placed):
+        if placed.entity.kind in _ANNOTATIONS or self._is_hidden(placed):
             return
         if placed.entity.kind != "INSERT":
             yield placed

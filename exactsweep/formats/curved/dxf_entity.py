@@ -59,7 +59,7 @@ class Entity:
 
     def point(self, code: int) -> Point:
         """Return the point with x at a group code and y at that code plus 10."""
-        return Point(*self.take(code, code + 10))
+        return Point(*self.values(code, code + 10))
 
     def flags(self) -> int:
         return int(self.number(_FLAGS, "0"))
@@ -80,7 +80,7 @@ class Entity:
             raise FormatError(f"{len(xs)} numbers of group {code}, {len(ys)} of group {code + 10}")
         return [*map(Point, xs, ys)]
 
-    def take(self, *codes: int, default: str | None = None) -> list[Fraction]:
+    def values(self, *codes: int, default: str | None = None) -> list[Fraction]:
         return [self.number(code, default) for code in codes]
 
     @property
@@ -117,7 +117,7 @@ class Entity:
                     points.append(vertex.point(10))
                     heights.append(vertex.number(30, "0"))
                     bulges.append(vertex.number(_BULGE, "0"))
-        reading.require_level(heights)
+        reading.require_planar(heights)
         return points, bulges
 
     def _text(self, code: int, default: str | None) -> str:
@@ -139,12 +139,12 @@ def read_drawing(text: str) -> Drawing:
     sections = _read_sections(text)
     blocks: dict[str, list[Entity]] = {}
     current: list[Entity] = []
-    for entity in _gather(sections.get("BLOCKS", [])[1:]):
+    for entity in _attach_vertices(sections.get("BLOCKS", [])[1:]):
         if entity.kind == "BLOCK":
             current = blocks[entity.name.upper()] = []
         if entity.kind != "ENDBLK":
             current.append(entity)
-    entities = _gather(sections.get("ENTITIES", [])[1:])
+    entities = _attach_vertices(sections.get("ENTITIES", [])[1:])
     return Drawing(entities, blocks, _unit(sections), *_layers(sections.get("TABLES", [])[1:]))
 
 
@@ -215,7 +215,7 @@ def _layers(found: Iterable[Entity]) -> tuple[dict[str, str], set[str]]:
     return hidden, unplotted
 
 
-def _gather(found: Iterable[Entity]) -> list[Entity]:
+def _attach_vertices(found: Iterable[Entity]) -> list[Entity]:
     """List entities; move VERTEX entities into their POLYLINE."""
     entities: list[Entity] = []
     vertices: list[Entity] | None = None

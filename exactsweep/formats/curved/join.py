@@ -29,7 +29,7 @@ class OpenLine(NamedTuple):
     is_exact: bool = True  # whether its ends are exact
 
     @classmethod
-    def of(cls, shape: Candidate, path: Path, *, is_exact: bool) -> OpenLine:
+    def from_path(cls, shape: Candidate, path: Path, *, is_exact: bool) -> OpenLine:
         is_straight = len(path.points) == 2 and path.is_exact
         ends = path.points[0], path.points[-1]
         return cls(shape, ends, None if is_straight else path, is_exact)
@@ -39,7 +39,7 @@ class OpenLine(NamedTuple):
         """A key that distinguishes lines with the same ends; () for a straight line."""
         return self.path.key if self.path else ()
 
-    def run(self, start: Point, end: Point) -> Path:
+    def draw(self, start: Point, end: Point) -> Path:
         """Return its path, with the ends moved to the given points."""
         return (self.path or Path(self.ends)).moved(start, end)
 
@@ -52,7 +52,7 @@ class _Joined(NamedTuple):
     joints: tuple[int, int]
 
 
-def gather(drawn: Iterable[Candidate | OpenLine], reading: Reading) -> list[Candidate]:
+def join_layers(drawn: Iterable[Candidate | OpenLine], reading: Reading) -> list[Candidate]:
     """Join the open lines of each layer, and list all outlines in file order."""
     found: list[tuple[int, Candidate]] = []
     lines: defaultdict[str | None, dict[int, OpenLine]] = defaultdict(dict)
@@ -100,7 +100,7 @@ def join(lines: Mapping[int, OpenLine], reading: Reading) -> Iterator[tuple[int,
                 if same is not line and sorted(same.ends) != sorted(line.ends):
                     lost[i].append(joined)
             elif _is_long(line, 4 * joints.reach):
-                path = line.run(joints.points[i], joints.points[i])
+                path = line.draw(joints.points[i], joints.points[i])
                 yield order, draw_outline(path, line.shape, reading)
             elif line.ends[0] != line.ends[1]:
                 lost[i].append(joined)
@@ -255,7 +255,7 @@ def _walk(
     k, joint = first, lines[first].joints[0]
     while True:
         _, line, (start, end) = lines[k]
-        path = line.run(points[start], points[end])
+        path = line.draw(points[start], points[end])
         if joint == start:
             joint = end
         else:
@@ -277,7 +277,7 @@ def draw_outline(path: Path, shape: Candidate, reading: Reading) -> Candidate:
             return path.flatten(reading)
 
     def find_finer(tolerance: Fraction) -> Candidate:
-        return draw_outline(path, shape, reading.at(tolerance))
+        return draw_outline(path, shape, reading.with_tolerance(tolerance))
 
     error = path.find_error(reading)
     return shape._replace(

@@ -42,8 +42,8 @@ class _End:
         self.at_start, self._near = at_start, curve.sampler()
         self._whole = 0j if at_start else self._near(WHOLE)
 
-    def near(self, place: int) -> complex:
-        return self._near(place if self.at_start else WHOLE - place) - self._whole
+    def near(self, parameter: int) -> complex:
+        return self._near(parameter if self.at_start else WHOLE - parameter) - self._whole
 
 
 class SimpleLines(list[Point]):
@@ -57,16 +57,16 @@ class SimpleLines(list[Point]):
 class Path:
     """Points, with lines or curves between them; a closed path repeats its first point."""
 
-    __slots__ = ("_lines", "curves", "gap", "off", "points", "soft")
+    __slots__ = ("_lines", "curves", "error", "gap", "points", "soft")
 
     def __init__(
         self,
         points: Iterable[Point] = (),
         curves: dict[int, tuple[Curve, bool]] | None = None,
-        off: Fraction = Fraction(0),
+        error: Fraction = Fraction(0),
     ) -> None:
         self.points = [*points]
-        self.off = off  # bounds the error of points and curves
+        self.error = error  # of points and curves
         self.gap = Fraction(0)  # the distance by which ends were moved to other lines
         self.curves = {} if curves is None else curves  # with directions, by the first point
         self.soft: set[int] = set()  # points that may be rounded, such as spline joints
@@ -82,18 +82,18 @@ class Path:
         self.points += other.points[1:]
         self.curves |= {k + shift: drawn for k, drawn in other.curves.items()}
         self.soft |= {k + shift for k in other.soft if k}
-        self.off, self.gap = max(self.off, other.off), max(self.gap, other.gap)
+        self.error, self.gap = max(self.error, other.error), max(self.gap, other.gap)
 
     def reversed(self) -> Path:
         last = len(self.points) - 2
         curves = {last - k: (curve, not way) for k, (curve, way) in self.curves.items()}
-        found = Path(self.points[::-1], curves, self.off)
+        found = Path(self.points[::-1], curves, self.error)
         found.soft = {last + 1 - k for k in self.soft}
         return found
 
     def moved(self, start: Point, end: Point) -> Path:
         """Return the path with its ends moved to other points."""
-        found = Path([start, *self.points[1:-1], end], self.curves.copy(), self.off)
+        found = Path([start, *self.points[1:-1], end], self.curves.copy(), self.error)
         found.soft = self.soft - {0, len(self.points) - 1}
         if not self.is_exact:
             ends = (self.points[0], start), (self.points[-1], end)
@@ -121,7 +121,7 @@ class Path:
 
     @property
     def is_exact(self) -> bool:
-        return not self.curves and not self.off
+        return not self.curves and not self.error
 
     @property
     def size(self) -> Fraction:
@@ -167,20 +167,22 @@ class Path:
 
     def draw(self, tolerance: Fraction, reading: Reading, *, fine: bool = False) -> list[Point]:
         grid = find_grid(tolerance / (1000 if fine else 1))
-        places = {k: _divide(curve, tolerance, reading) for k, (curve, _) in self.curves.items()}
-        if self.off * 16 > tolerance:
+        parameters = {
+            k: _divide(curve, tolerance, reading) for k, (curve, _) in self.curves.items()
+        }
+        if self.error * 16 > tolerance:
             raise FormatError(
                 "numbers too large for an irrational rotation; try a larger --flatten"
             )
         for before in self.curves:
             after = (before + 1) % (len(self.points) - 1) if self.is_closed else before + 1
             if after in self.curves and after != before:
-                self._part(before, after, places, tolerance)
+                self._part(before, after, parameters, tolerance)
         points = self.points
-        if self.off or self.soft:
+        if self.error or self.soft:
             rounded = round_points(points, grid)
             points = [
-                new if self.off or k in self.soft else old
+                new if self.error or k in self.soft else old
                 for k, (old, new) in enumerate(zip(points, rounded, strict=True))
             ]
         if self.is_closed:
@@ -190,12 +192,12 @@ class Path:
             found.append(point)
             if k in self.curves:
                 curve, forward = self.curves[k]
-                inner = curve.points(sorted({*places[k]}), grid)
+                inner = curve.points(sorted({*parameters[k]}), grid)
                 found += inner if forward else inner[::-1]
         return found
 
     def _part(
-        self, before: int, after: int, places: dict[int, list[int]], tolerance: Fraction
+        self, before: int, after: int, parameters: dict[int, list[int]], tolerance: Fraction
     ) -> None:
         """Add vertices to consecutive curves at equal distances from their common point."""
         (one, one_way), (other, other_way) = self.curves[before], self.curves[after]
@@ -204,12 +206,12 @@ class Path:
             firsts = [
                 end.near(min(row) if end.at_start else WHOLE - max(row))
                 for end, k in zip(ends, (before, after), strict=True)
-                for row in [places[k] or [WHOLE // 2]]
+                for row in [parameters[k] or [WHOLE // 2]]
             ]
             if abs(firsts[0] - firsts[1]) > max(map(abs, firsts)):
                 return
             rows: list[list[tuple[float, int]]] = [
-                _list_distances(end, places[k])
+                _list_distances(end, parameters[k])
                 for end, k in zip(ends, (before, after), strict=True)
             ]
             reach: float = min(row[-1][0] for row in rows)
@@ -218,16 +220,18 @@ class Path:
             for distance in sorted(distances):
                 if distance > reach:
                     break
-                found = [_find_place(e, row, distance) for e, row in zip(ends, rows, strict=True)]
-                p, q = (end.near(place) for end, place in zip(ends, found, strict=True))
+                found = [
+                    _find_parameter(e, row, distance) for e, row in zip(ends, rows, strict=True)
+                ]
+                p, q = (end.near(parameter) for end, parameter in zip(ends, found, strict=True))
                 if abs(p - q) > min(_APART * float(tolerance), distance):
                     break
-                for row, place in zip(new, found, strict=True):
-                    row.append(place)
+                for row, parameter in zip(new, found, strict=True):
+                    row.append(parameter)
         except (OverflowError, ZeroDivisionError):
             return
         for k, end, row in zip((before, after), ends, new, strict=True):
-            places[k] += [p if end.at_start else WHOLE - p for p in row if 0 < p < WHOLE]
+            parameters[k] += [p if end.at_start else WHOLE - p for p in row if 0 < p < WHOLE]
 
 
 def _divide(curve: Curve, tolerance: Fraction, reading: Reading) -> list[int]:
@@ -238,25 +242,25 @@ def _divide(curve: Curve, tolerance: Fraction, reading: Reading) -> list[int]:
     return [WHOLE * k // count for k in range(1, count)]
 
 
-def _list_distances(end: _End, places: Sequence[int]) -> list[tuple[float, int]]:
+def _list_distances(end: _End, parameters: Sequence[int]) -> list[tuple[float, int]]:
     """List pairs (distance from the end, parameter) while the distance grows."""
     row: list[tuple[float, int]] = [(0.0, 0)]
-    ordered = sorted(places) if end.at_start else [WHOLE - p for p in sorted(places)[::-1]]
-    for place in [*ordered, WHOLE]:
-        distance = abs(end.near(place))
+    ordered = sorted(parameters) if end.at_start else [WHOLE - p for p in sorted(parameters)[::-1]]
+    for parameter in [*ordered, WHOLE]:
+        distance = abs(end.near(parameter))
         if distance <= row[-1][0]:
             break
-        row.append((distance, place))
+        row.append((distance, parameter))
     return row
 
 
-def _find_place(end: _End, row: Sequence[tuple[float, int]], distance: float) -> int:
+def _find_parameter(end: _End, row: Sequence[tuple[float, int]], distance: float) -> int:
     """Find the parameter at a distance from the end, by bisection."""
     low = high = 0
-    for known, place in row:
+    for known, parameter in row:
         if known == distance:
-            return place
-        low, high = (place, high) if known < distance else (low, place)
+            return parameter
+        low, high = (parameter, high) if known < distance else (low, parameter)
         if known > distance:
             break
     for _ in range(_BISECTIONS):
@@ -272,16 +276,16 @@ def flatten_together(
     *first: list[Point],
 ) -> tuple[list[list[Point]], _Found | None]:
     """Flatten paths, more finely while `use` raises PolygonError; on failure, coarsely and None."""
-    said = ""
+    last = ""
     found = rings = [*first] or [path.flatten(reading) for path in paths]
     for finer in range(1, _LEVELS + 2):
         try:
             return rings, use(rings)
         except PolygonError as error:
             # The same error at a finer tolerance: the curves themselves cross.
-            if finer > _LEVELS or str(error) == said or not any(path.curves for path in paths):
+            if finer > _LEVELS or str(error) == last or not any(path.curves for path in paths):
                 break
-            said = str(error)
+            last = str(error)
         try:
             rings = [path.flatten(reading, finer) for path in paths]
         except FormatError:
@@ -315,16 +319,18 @@ def round_points(points: Iterable[Point], grid: int) -> list[Point]:
     ]
 
 
-def place_points(points: Sequence[Point], image: Affine) -> list[Point]:
+def map_points(points: Sequence[Point], image: Affine) -> list[Point]:
     return [*points] if image is IDENTITY else [image.point(*point) for point in points]
 
 
 def draw_lines(points: Sequence[Point], image: Affine) -> Path:
-    return Path(place_points(points, image), off=image.error(points) if image.off else Fraction(0))
+    return Path(
+        map_points(points, image), error=image.bound_error(points) if image.error else Fraction(0)
+    )
 
 
 def draw_circle(image: Affine) -> Path:
     one, zero = Fraction(1), Fraction(0)
     start = image.point(one, zero)
-    arc = Arc(image._replace(off=zero), 0.0, 2 * pi)
-    return Path([start, start], {0: (arc, True)}, image.error([Point(one, one)]))
+    arc = Arc(image._replace(error=zero), 0.0, 2 * pi)
+    return Path([start, start], {0: (arc, True)}, image.bound_error([Point(one, one)]))

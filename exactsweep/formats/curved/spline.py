@@ -15,7 +15,7 @@ from typing import NamedTuple
 
 from exactsweep.formats.curved.affine import Affine
 from exactsweep.formats.curved.curves import make_bezier
-from exactsweep.formats.curved.path import Path, place_points
+from exactsweep.formats.curved.path import Path, map_points
 from exactsweep.formats.error import FormatError
 from exactsweep.numbers.number import Point
 
@@ -114,7 +114,7 @@ class Spline(NamedTuple):
     def draw(self, image: Affine) -> Path:
         found = Path()
         for points, weights in self.pieces():
-            mapped = place_points(points, image)
+            mapped = map_points(points, image)
             if not found.points:
                 found.points.append(mapped[0])
             if self.degree == 1:
@@ -122,8 +122,8 @@ class Spline(NamedTuple):
             elif any(point != mapped[0] for point in mapped):
                 curve, forward = make_bezier(tuple(mapped), tuple(weights))
                 found.add_curve(curve, mapped[-1], forward=forward)
-        if image.off:
-            found.off = image.error(self.points)
+        if image.error:
+            found.error = image.bound_error(self.points)
         if self.degree > 1:
             # Joints of pieces, and the start of a closed spline, may be rounded.
             found.soft = {*range(0 if found.is_closed else 1, len(found.points) - 1)}

@@ -9,7 +9,7 @@ from xml.etree.ElementTree import Element
 
 from exactsweep.formats.candidate import Candidate, allow_faults, choose_same
 from exactsweep.formats.curved.affine import Affine
-from exactsweep.formats.curved.join import OpenLine, draw_outline, gather
+from exactsweep.formats.curved.join import OpenLine, draw_outline, join_layers
 from exactsweep.formats.curved.path import Path, draw_circle, draw_lines, flatten_together
 from exactsweep.formats.curved.svg_path import Subpaths, read_path
 from exactsweep.formats.curved.svg_placed import PlacedElement
@@ -47,7 +47,7 @@ def read_svg(root: Element, reading: Reading, style: Style | None = None) -> lis
     # A missing unit is an error of the whole file.
     _ = placed.unit if reading.unit is None else placed.matrix
     try:
-        return gather(allow_faults(_draw(document.shapes(placed, 0), reading)), reading)
+        return join_layers(allow_faults(_draw(document.shapes(placed, 0), reading)), reading)
     except RecursionError:
         raise FormatError("nested too deeply") from None
 
@@ -67,7 +67,7 @@ class Document:
         self.by_id = {e.attrib["id"]: e for e in reversed(elements) if "id" in e.attrib}
         linked = {find_link(e).removeprefix("#") for e in elements}
         # Unused definitions.
-        self.spare = {
+        self.unused = {
             child
             for defs in elements
             if name_kind(defs) == "defs"
@@ -85,10 +85,12 @@ class Document:
         element, name = placed.element, name_kind(placed.element)
         if name == "defs":
             for child in element:
-                if child in self.spare and not self.reading.hides(f"{name_kind(child)} in defs"):
+                if child in self.unused and not self.reading.skip_hidden(
+                    f"{name_kind(child)} in defs"
+                ):
                     yield from self._drawn(PlacedElement(child, placed, self.reading), depth)
             return
-        if self.reading.hides(find_reason_hidden(placed)):
+        if self.reading.skip_hidden(find_reason_hidden(placed)):
             return
         if depth:
             size = sum(map(len, element.attrib.values()))
@@ -113,7 +115,7 @@ class Document:
         link = find_link(placed.element)
         target = self.by_id.get(link.removeprefix("#")) if link.startswith("#") else None
         if target is None or depth > MAX_DEPTH:
-            # `_refuse_shape` reports the missing target.
+            # `_reject_missing_target` reports the missing target.
             yield placed
             return
         drawn = PlacedElement(target, placed, self.reading, used=placed)
@@ -158,14 +160,14 @@ def _read(shape: PlacedElement, reading: Reading) -> list[Candidate | OpenLine]:
         else:
             # Unfilled paths are outlines, and those inside others are holes.
             lines = [draw_outline(path, outline, reading) for path in closed]
-            drawn += lines if reading.apart or len(lines) < 2 else nest_lines(lines)
+            drawn += lines if reading.separate or len(lines) < 2 else nest_lines(lines)
         if not drawn and not opened:
             raise OrnamentError("its fill rule fills nothing" if closed else _TOO_FEW)
     except ValueError as error:
         is_ornament = isinstance(error, OrnamentError)
         return [whole.rejected(f"{shape.place}: {error}", ornament=is_ornament)]
     line = outline if is_filled(shape) else whole
-    return drawn + [OpenLine.of(line, path, is_exact=not matrix.off) for path in opened]
+    return drawn + [OpenLine.from_path(line, path, is_exact=not matrix.error) for path in opened]
 
 
 def _draw_dot(path: Path, shape: PlacedElement, matrix: Affine) -> Path | None:
@@ -178,8 +180,8 @@ def _draw_dot(path: Path, shape: PlacedElement, matrix: Affine) -> Path | None:
         return None
     radius = read_decimal(shape.inherited("stroke-width", "1").strip().removesuffix("px")) / 2
     a, b, c, d = (number * radius for number in matrix[:4])
-    off = matrix.off * max(radius, Fraction(1)) + path.off
-    return draw_circle(Affine(a, b, c, d, x, y, off)) if radius > 0 else None
+    error = matrix.error * max(radius, Fraction(1)) + path.error
+    return draw_circle(Affine(a, b, c, d, x, y, error)) if radius > 0 else None
 
 
 def _is_point(path: Path) -> bool:
@@ -204,14 +206,16 @@ def _draw_regions(
         return filled
 
     rings, filled = flatten_together(closed, reading, fill_simply)
-    pieces = whole.take_filled(filled or fill(rings, rule, measured=bool(whole.error)))
+    pieces = whole.make_regions(filled or fill(rings, rule, measured=bool(whole.error)))
     if filled is None:
         number = count(len(pieces), "polygon")
         crossing = "its subpaths intersect"
         reading.notes[f"{shape.place}: {crossing}: {number} by its fill rule"] = None
 
     def find_finer(k: int, tolerance: Fraction) -> Candidate | None:
-        return choose_same(pieces, k, _draw_regions(closed, shape, reading.at(tolerance)))
+        return choose_same(
+            pieces, k, _draw_regions(closed, shape, reading.with_tolerance(tolerance))
+        )
 
     return [piece._replace(finer=partial(find_finer, k)) for k, piece in enumerate(pieces)]
 
@@ -246,7 +250,7 @@ def _line(shape: PlacedElement, matrix: Affine, reading: Reading) -> list[Path]:
 def _rectangle(shape: PlacedElement, matrix: Affine, reading: Reading) -> list[Path]:
     x, y = shape.length("x"), shape.length("y")
     width, height = shape.size("width"), shape.size("height")
-    _require_room(width, height)
+    _require_size(width, height)
     u, v = x + width, y + height
     rx, ry = _read_radii(shape)
     if rx and ry:
@@ -256,7 +260,7 @@ def _rectangle(shape: PlacedElement, matrix: Affine, reading: Reading) -> list[P
     return [draw_lines(corners, matrix)]
 
 
-def _require_room(width: Fraction, height: Fraction) -> None:
+def _require_size(width: Fraction, height: Fraction) -> None:
     if not width or not height:
         raise OrnamentError("no width or height, so nothing is drawn")
 
@@ -294,13 +298,13 @@ def _ellipse(shape: PlacedElement, matrix: Affine, reading: Reading) -> list[Pat
         rx = ry = shape.size("r")
     else:
         rx, ry = _read_radii(shape)
-    _require_room(rx, ry)
+    _require_size(rx, ry)
     zero = Fraction(0)
     image = matrix @ Affine(rx, zero, zero, ry, shape.length("cx"), shape.length("cy"))
     return [draw_circle(image)]
 
 
-def _refuse_shape(shape: PlacedElement, matrix: Affine, reading: Reading) -> NoReturn:
+def _reject_missing_target(shape: PlacedElement, matrix: Affine, reading: Reading) -> NoReturn:
     raise FormatError("refers to itself or to a missing element")
 
 
@@ -313,6 +317,6 @@ SHAPES: dict[str, Callable[[PlacedElement, Affine, Reading], Sequence[Path]]] = 
     "line": _line,
     "path": lambda shape, *how: read_path(shape.element.get("d", ""), *how),
     # A missing target.
-    "use": _refuse_shape,
+    "use": _reject_missing_target,
 }
 DRAWN = _GROUPS | SHAPES.keys() | {"switch"}

@@ -9,7 +9,7 @@ from typing import NoReturn
 from exactsweep.formats.curved import curves
 from exactsweep.formats.curved.affine import Affine
 from exactsweep.formats.curved.arc import make_rotation
-from exactsweep.formats.curved.path import Path, place_points
+from exactsweep.formats.curved.path import Path, map_points
 from exactsweep.formats.decimals import DECIMAL, count_decimals, read_decimal, read_decimals
 from exactsweep.formats.error import FormatError
 from exactsweep.formats.reading import Reading
@@ -36,20 +36,20 @@ def read_path(data: str, matrix: Affine, reading: Reading) -> list[Path]:
     while place < len(data):
         match = _RUN.match(data, place)
         if match is None:
-            _refuse(f"expected a command, found {quote(data[place : place + 20])}", place)
+            _fail(f"expected a command, found {quote(data[place : place + 20])}", place)
         letter, numbers = match["letter"], match["numbers"]
         size = _SIZES.get(letter.upper())
         if size is None:
-            _refuse(f"{quote(letter)} is not a path command", place)
+            _fail(f"{quote(letter)} is not a path command", place)
         if not drawn.found and letter not in "Mm":
-            _refuse("the path does not begin with M", place)
+            _fail("the path does not begin with M", place)
         count = count_decimals(numbers)
         reading.allow_vertices(count // size if size else 1)
         # The flags of an arc may run together, so its numbers cannot be counted.
         if (size and letter not in "Aa" and count % size) or bool(size) != bool(count):
             after = quote(data[place + 1 : place + 21]) if data[place + 1 :] else "the end"
             several = _WANTED.get(size, f"{size} numbers, or a multiple,")
-            _refuse(f"expected {several} after {letter}, found {after}", place)
+            _fail(f"expected {several} after {letter}, found {after}", place)
         try:
             if letter in "Aa":
                 drawn.draw(letter, [[*map(read_decimal, arc)] for arc in re.findall(_ARC, numbers)])
@@ -57,15 +57,15 @@ def read_path(data: str, matrix: Affine, reading: Reading) -> list[Path]:
                 values = read_decimals(numbers)
                 drawn.draw(letter, [values[k : k + size] for k in range(0, count, size or 1)])
         except (FormatError, NumberError) as error:
-            _refuse(str(error), place)
+            _fail(str(error), place)
         place = match.end()
     found = [path for path in drawn.found if path.points]
     if not found:
-        _refuse("the path is empty", 0)
+        _fail("the path is empty", 0)
     return found
 
 
-def _refuse(reason: str, place: int) -> NoReturn:
+def _fail(reason: str, place: int) -> NoReturn:
     raise FormatError(f"path data, character {place + 1}: {reason}")
 
 
@@ -120,8 +120,8 @@ class Subpaths:
         flags = bool(row[3]), bool(row[4])
         arc = make_elliptic_arc((before, end), (rx, ry), angle, flags, self.matrix)
         # A bound on the distance of the arc from its ends.
-        room = 2 * (rx + ry + abs(end.x - before.x) + abs(end.y - before.y))
-        self._curve(arc, end, [Point(abs(x) + room, y) for x, y in (before, end)])
+        margin = 2 * (rx + ry + abs(end.x - before.x) + abs(end.y - before.y))
+        self._curve(arc, end, [Point(abs(x) + margin, y) for x, y in (before, end)])
 
     def _draw_bezier(self, kind: str, points: list[Point]) -> None:
         before, (known, control) = self.current, self.control
@@ -133,25 +133,25 @@ class Subpaths:
         if all(point == before for point in points):
             self._add([before])
         else:
-            curve = curves.make_bezier(tuple(place_points(controls, self.matrix)))
+            curve = curves.make_bezier(tuple(map_points(controls, self.matrix)))
             self._curve(curve, points[-1], controls)
 
     def _add(self, ends: list[Point]) -> None:
         self.current = ends[-1]
-        self.found[-1].points += place_points(ends, self.matrix)
-        self._let_off(ends)
+        self.found[-1].points += map_points(ends, self.matrix)
+        self._add_error(ends)
 
     def _curve(self, drawn: tuple[curves.Curve, bool], end: Point, around: list[Point]) -> None:
         """Append a curve inside the convex hull of `around`."""
         curve, forward = drawn
         self.current = end
-        (placed,) = place_points([end], self.matrix)
+        (placed,) = map_points([end], self.matrix)
         self.found[-1].add_curve(curve, placed, forward=forward)
-        self._let_off(around)
+        self._add_error(around)
 
-    def _let_off(self, points: list[Point]) -> None:
-        if self.matrix.off:
-            self.found[-1].off = max(self.found[-1].off, self.matrix.error(points))
+    def _add_error(self, points: list[Point]) -> None:
+        if self.matrix.error:
+            self.found[-1].error = max(self.found[-1].error, self.matrix.bound_error(points))
 
 
 def _add(p: Point, q: Point) -> Point:
@@ -178,7 +178,7 @@ def make_elliptic_arc(
     back = turn._replace(b=-turn.b, c=-turn.c)
     start, end = (Point(x / rx, y / ry) for x, y in (back.vector(*point) for point in ends))
     zero = Fraction(0)
-    image = matrix @ turn._replace(off=zero) @ Affine(rx, zero, zero, ry, zero, zero)
+    image = matrix @ turn._replace(error=zero) @ Affine(rx, zero, zero, ry, zero, zero)
     half = ((end.x - start.x) ** 2 + (end.y - start.y) ** 2) / 4
     height = curves.round_root_up(max(1 - half, zero) / half, _HEIGHTS)
     if large == left:

@@ -228,5 +228,5 @@ class PlacedElement:
         return used.size(name, "100%")
 
 
-# Alignment as the share of the spare space before a view.
+# Alignment as the share of the remaining space before a view.
 _SHARES = {"Min": Fraction(0), "Mid": Fraction(1, 2), "Max": Fraction(1)}

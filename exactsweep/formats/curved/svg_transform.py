@@ -64,7 +64,7 @@ def _skew_x(numbers: Sequence[Fraction]) -> Affine:
     if abs(turn.a) < Fraction(1, 10**6):
         raise FormatError(f"cannot skew by {show_number(angle)} degrees")
     # The derivative of the tangent is 1 / cos**2.
-    return make_affine(1, 0, turn.b / turn.a, 1, 0, 0)._replace(off=2 * turn.off / turn.a**2)
+    return make_affine(1, 0, turn.b / turn.a, 1, 0, 0)._replace(error=2 * turn.error / turn.a**2)
 
 
 def _skew_y(numbers: Sequence[Fraction]) -> Affine:

@@ -35,7 +35,9 @@ def read_solution(
     placements = []
     for index, x, y in zip(indices, xs, ys, strict=True):
         model.find_named(instance.parts, index, "item")
-        placements.append(model.STANDING | {"part": index.name, "move": [x.number, y.number]})
+        placements.append(
+            model.IDENTITY_PLACEMENT | {"part": index.name, "move": [x.number, y.number]}
+        )
     return model.make_layouts(
         [model.FilledSheet(instance.containers["container"], placements)], instance
     )

@@ -74,7 +74,7 @@ def _list_maps(part: Region, drawn: Region, *, mirrored: bool) -> Iterator[Congr
         ring = tuple(Point(-x, y) for x, y in reversed(ring))
     goal = drawn.exterior.vertices
     corners, goals = _list_corners(ring), _list_corners(goal)
-    room = _SHARE * float(max(length for length, _, _ in corners)) ** 0.5
+    tolerance = _SHARE * float(max(length for length, _, _ in corners)) ** 0.5
     for shift in range(len(goal)):
         others = goals[shift:] + goals[:shift]
         is_same = corners == others
@@ -87,23 +87,23 @@ def _list_maps(part: Region, drawn: Region, *, mirrored: bool) -> Iterator[Congr
         holes = [[_apply(found, p) for p in hole.vertices] for hole in part.holes]
         if is_same and {Polygon(hole) for hole in holes} == {*drawn.holes}:
             yield found
-        elif all(any(_follows(hole, other, room) for other in drawn.holes) for hole in holes):
+        elif all(any(_follows(hole, other, tolerance) for other in drawn.holes) for hole in holes):
             yield found._replace(exact=False)
 
 
-def _follows(ring: Sequence[Point], other: Polygon, room: float) -> bool:
+def _follows(ring: Sequence[Point], other: Polygon, tolerance: float) -> bool:
     """Return whether each vertex of a ring is close to one of the other, of the same length."""
     if len(ring) != len(other):
         return False
     return all(
-        any(abs(float(p.x - q.x)) + abs(float(p.y - q.y)) <= room for q in other.vertices)
+        any(abs(float(p.x - q.x)) + abs(float(p.y - q.y)) <= tolerance for q in other.vertices)
         for p in ring
     )
 
 
 def _is_near(one: _EdgeShape, other: _EdgeShape) -> bool:
-    room = _SHARE * float(max(one[0], other[0]) + abs(one[1]) + abs(one[2]))
-    return all(abs(float(a - b)) <= room for a, b in zip(one, other, strict=True))
+    tolerance = _SHARE * float(max(one[0], other[0]) + abs(one[1]) + abs(one[2]))
+    return all(abs(float(a - b)) <= tolerance for a, b in zip(one, other, strict=True))
 
 
 def _edge(ring: Sequence[Point], k: int) -> tuple[Fraction, Fraction]:

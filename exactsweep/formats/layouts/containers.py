@@ -9,7 +9,7 @@ from typing import NamedTuple
 from exactsweep.formats.candidate import Candidate
 from exactsweep.formats.choice import select
 from exactsweep.formats.decimals import show_number
-from exactsweep.formats.depth import tell_place
+from exactsweep.formats.depth import describe_place
 from exactsweep.formats.error import FormatError
 from exactsweep.numbers.error import quote
 from exactsweep.numbers.number import Point
@@ -17,7 +17,7 @@ from exactsweep.numbers.number import Point
 _WORDS = re.compile(r"(sheet|bin|board|container|stock)s?(?:[\W_]*\d+)?", re.IGNORECASE)
 _LISTED = 4
 
-_Spread = tuple[Fraction, Fraction, Fraction, Fraction]
+_BoundingBox = tuple[Fraction, Fraction, Fraction, Fraction]
 
 
 class Sheet(NamedTuple):
@@ -52,7 +52,7 @@ def find_sheets(outlines: Sequence[Candidate], container: str | None) -> list[Sh
             found.append(one)
     on_layer = [one for one in found if one.layer is not None and _is_word(one.layer)]
     if container is None and len(on_layer) != 1:
-        around = _find_around(outlines, boxes)
+        around = _find_enclosing(outlines, boxes)
         found = [around] if around is not None else found
     elif container is None:
         found = on_layer
@@ -91,7 +91,7 @@ def find_sheets(outlines: Sequence[Candidate], container: str | None) -> list[Sh
 
 
 def _list_marked(
-    outlines: Sequence[Candidate], container: str | None, boxes: dict[int, _Spread]
+    outlines: Sequence[Candidate], container: str | None, boxes: dict[int, _BoundingBox]
 ) -> list[Candidate]:
     if container is None:
         return [
@@ -108,7 +108,7 @@ def _list_marked(
     choice = container if container in spelled or len(spelled) != 1 else spelled.pop()
     grouped = [one for one in outlines if choice in one.groups]
     if grouped and not any(choice in (one.name, one.layer) for one in outlines):
-        around = _find_around(grouped, boxes)
+        around = _find_enclosing(grouped, boxes)
         if around is None:
             raise FormatError(f"no outline of the group {quote(choice)} contains the others")
         return [around]
@@ -126,15 +126,17 @@ def _is_word(word: str) -> bool:
     return _WORDS.fullmatch(word) is not None
 
 
-def _bound(outline: Candidate) -> _Spread:
+def _bound(outline: Candidate) -> _BoundingBox:
     vertices = outline.vertices()
     if not vertices:
-        raise FormatError(f"{tell_place(outline)}: no vertices")
+        raise FormatError(f"{describe_place(outline)}: no vertices")
     xs, ys = zip(*vertices, strict=True)
     return min(xs), min(ys), max(xs), max(ys)
 
 
-def _find_around(outlines: Sequence[Candidate], boxes: dict[int, _Spread]) -> Candidate | None:
+def _find_enclosing(
+    outlines: Sequence[Candidate], boxes: dict[int, _BoundingBox]
+) -> Candidate | None:
     """Find the outline whose box contains all others, ignoring copies of it."""
     lefts, lows, rights, highs = zip(*(boxes[id(one)] for one in outlines), strict=True)
     whole = min(lefts), min(lows), max(rights), max(highs)
@@ -154,25 +156,25 @@ def _list_edges(outline: Candidate) -> set[frozenset[Point]]:
     return {edge for edge in edges if len(edge) == 2}
 
 
-def _meet(one: _Spread, other: _Spread) -> bool:
+def _meet(one: _BoundingBox, other: _BoundingBox) -> bool:
     left, low, right, high = one
     west, south, east, north = other
     return left < east and west < right and low < north and south < high
 
 
-def _holds(sheet: _Spread, box: _Spread) -> bool:
+def _holds(sheet: _BoundingBox, box: _BoundingBox) -> bool:
     """Return whether the center of a box is in a sheet."""
     left, low, right, high = sheet
     west, south, east, north = box
     return 2 * left <= west + east <= 2 * right and 2 * low <= south + north <= 2 * high
 
 
-def _list_candidates(largest: Sequence[Candidate], boxes: dict[int, _Spread]) -> str:
+def _list_candidates(largest: Sequence[Candidate], boxes: dict[int, _BoundingBox]) -> str:
     listed = []
     for one in largest[:_LISTED]:
         left, low, right, high = boxes[id(one)]
         size = f"{show_number(right - left)} x {show_number(high - low)}"
-        listed.append(f"{tell_place(one)}, {size}")
+        listed.append(f"{describe_place(one)}, {size}")
     return (
         "no outline contains all others; name the container (--container). The largest are "
         f"{'; '.join(listed)}"

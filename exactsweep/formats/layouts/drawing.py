@@ -8,15 +8,15 @@ from functools import partial
 from typing import Literal
 
 from exactsweep.formats.candidate import Candidate
-from exactsweep.formats.choice import get_layer, tell_layer
-from exactsweep.formats.depth import Nested, nest_outlines, tell_ambiguity, tell_place
+from exactsweep.formats.choice import describe_layer, get_layer
+from exactsweep.formats.depth import Nested, describe_ambiguity, describe_place, nest_outlines
 from exactsweep.formats.error import FormatError
 from exactsweep.formats.folder import make_unique
 from exactsweep.formats.layouts.containers import Sheet, find_sheets
-from exactsweep.formats.layouts.model import STANDING, FoundLayout, write_rings
+from exactsweep.formats.layouts.model import IDENTITY_PLACEMENT, FoundLayout, write_rings
 from exactsweep.formats.node import Data
 from exactsweep.formats.parsing import parse_by
-from exactsweep.formats.part_list import Said
+from exactsweep.formats.part_list import Remarks
 from exactsweep.formats.reading import UNITS, Reading
 from exactsweep.geometry.canonical import PolygonError, find_doubled_area
 from exactsweep.geometry.edges import is_inside
@@ -35,18 +35,18 @@ def draw_layouts(
     Raises FormatError if an outline cannot be read, since skipping it might falsify the verdict.
     """
     flat = reading.without_nesting()
-    flat.apart = reading.nested is not False
+    flat.separate = reading.nested is not False
     drawn = parse_by(text, flat)
     notes = [*drawn.left_out, *drawn.notes]
     notes += [f"skipped: {one.fault}" for one in drawn if one.fault and one.ornament]
     plain = [one for one in drawn if not one.ornament]
     if not plain:
         raise FormatError(notes[0] if notes else "no outline is drawn")
-    said = Said(notes, notes)
+    remarks = Remarks(notes, notes)
     outlines: list[Candidate] = []
     for one in plain:
         try:
-            outlines += [] if one.fault else one.split(said)
+            outlines += [] if one.fault else one.split(remarks)
         except PolygonError:
             # The judge reports the shape.
             outlines.append(one)
@@ -98,15 +98,15 @@ def _list_open(outlines: Sequence[Candidate], parts: Sequence[Candidate]) -> lis
         else:
             hint = "" if layer is None else f" (--ignore-layer {layer} skips its layer)"
             raise FormatError(f"{one.fault}{hint}")
-    said = [
-        f"{count(number, 'shape')} on {tell_layer(layer)}, none of them closed"
+    remarks = [
+        f"{count(number, 'shape')} on {describe_layer(layer)}, none of them closed"
         for layer, number in left.items()
     ]
     if engraved:
         match = _LINE.search(engraved[0])
         where = f" ({match[0]}{', ...' if len(engraved) > 1 else ''})" if match else ""
-        said.append(f"{count(len(engraved), 'open shape')} on parts{where}")
-    return said
+        remarks.append(f"{count(len(engraved), 'open shape')} on parts{where}")
+    return remarks
 
 
 def _is_on(shape: Candidate, part: Candidate) -> bool:
@@ -118,9 +118,9 @@ def _is_on(shape: Candidate, part: Candidate) -> bool:
 
 
 def _make_layout(sheet: Sheet, found: Nested) -> FoundLayout:
-    parts, notes = found.outlines, _tell_holes(found)
+    parts, notes = found.outlines, _report_holes(found)
     unchecked = [
-        f"{tell_ambiguity(outline, around)} (skipped)" for outline, around in found.ambiguous
+        f"{describe_ambiguity(outline, around)} (skipped)" for outline, around in found.ambiguous
     ]
     unchecked += _find_lookalikes(found) + _find_artwork(found)
     if sheet.defects:
@@ -133,7 +133,7 @@ def _make_layout(sheet: Sheet, found: Nested) -> FoundLayout:
     names = make_unique([_name_part(one, k) for k, one in enumerate(parts)])
     data: Data = {
         "parts": [{"id": name, **write_rings(one)} for name, one in zip(names, parts, strict=True)],
-        "placements": [STANDING | {"part": name} for name in names],
+        "placements": [IDENTITY_PLACEMENT | {"part": name} for name in names],
     }
     if sheet.container is not None:
         data["container"] = write_rings(sheet.container)
@@ -172,11 +172,13 @@ def _name_part(outline: Candidate, k: int) -> str:
     return outline.name or layer or str(k)
 
 
-def _tell_holes(found: Nested) -> list[str]:
+def _report_holes(found: Nested) -> list[str]:
     """Report outlines read as holes, since overlapping parts look the same."""
     if not found.holes:
         return []
-    first = ", ".join(f"{tell_place(one)} in {tell_place(other)}" for one, other in found.holes[:2])
+    first = ", ".join(
+        f"{describe_place(one)} in {describe_place(other)}" for one, other in found.holes[:2]
+    )
     more = ", ..." if len(found.holes) > 2 else ""
     number = len(found.holes)
     what = f"{count(number, 'outline')} inside others"
@@ -193,8 +195,8 @@ def _find_lookalikes(found: Nested) -> list[str]:
         if (shape := _measure(one.vertices())) in shapes
     ]
     return [
-        f"whether {tell_place(one)} is a hole of {tell_place(around)}, or a part on it: it has the "
-        f"size of the part {tell_place(part)}"
+        f"whether {describe_place(one)} is a hole of {describe_place(around)}, or a part on it: "
+        f"it has the size of the part {describe_place(part)}"
         for one, around, part in alike[:1]
     ] + ([f"{len(alike) - 1} more outlines like it"] if len(alike) > 1 else [])
 
@@ -208,8 +210,9 @@ def _find_artwork(found: Nested) -> list[str]:
         if id(hole) in around and hole.layer and inner.layer == around[id(hole)].layer != hole.layer
     ]
     return [
-        f"whether {tell_place(hole)} on {tell_layer(hole.layer)} is a hole of {tell_place(part)}: "
-        f"else {tell_place(inner)} overlaps that part (--flat reads each outline as a part, "
+        f"whether {describe_place(hole)} on {describe_layer(hole.layer)} is a hole of "
+        f"{describe_place(part)}; if not, {describe_place(inner)} overlaps that part "
+        "(--flat reads each outline as a part, "
         f"--ignore-layer {hole.layer} skips the layer)"
         for hole, part, inner in doubtful[:1]
     ]

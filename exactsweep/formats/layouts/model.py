@@ -18,7 +18,7 @@ from exactsweep.numbers.number import Point
 
 _INDEX = re.compile(r"\[\d+\]")
 
-STANDING: Data = {"turn": "0", "move": ["0", "0"]}  # the identity placement
+IDENTITY_PLACEMENT: Data = {"turn": "0", "move": ["0", "0"]}  # the identity placement
 # The type of `FoundLayout.flatten`.
 Flatten = Callable[[Collection[str | None], Fraction], Mapping[str | None, Data]]
 
@@ -84,19 +84,19 @@ def make_layouts(
     no sheet has missing or surplus parts. A layout has the parts placed or demanded on it.
     """
     order = {name: k for k, name in enumerate(instance.parts)}
-    spare = {name: part.get("demand") for name, part in instance.parts.items()}
+    remaining = {name: part.get("demand") for name, part in instance.parts.items()}
     wanted = dict(instance.least)
-    said = (*instance.notes, *notes)
+    remarks = (*instance.notes, *notes)
     found = []
     for k, sheet in enumerate(sheets):
         placed = Counter(placement["part"] for placement in sheet.placements)
         last = k == len(sheets) - 1
         parts = []
         for name in order if last else sorted(order.keys() & placed.keys(), key=order.__getitem__):
-            part, number, most, asked = instance.parts[name], placed[name], spare[name], 0
+            part, number, most, asked = instance.parts[name], placed[name], remaining[name], 0
             if most is not None:
                 asked = number if number * sheet.copies <= most else most // sheet.copies
-                spare[name] = most - min(most, number * sheet.copies)
+                remaining[name] = most - min(most, number * sheet.copies)
                 wanted[name] = max(0, wanted.get(name, 0) - number * sheet.copies)
                 if last:
                     asked += wanted[name]
@@ -108,7 +108,7 @@ def make_layouts(
         name = f"sheet {k}{copies}" if len(sheets) > 1 else ""
         data |= {**instance.rest, **sheet.rest}
         rules = (*instance.unchecked, *unchecked)
-        found.append(FoundLayout(name, data, said, rules, sheet.places))
+        found.append(FoundLayout(name, data, remarks, rules, sheet.places))
     return found
 
 

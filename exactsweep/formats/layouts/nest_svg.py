@@ -60,7 +60,7 @@ class _NestDrawing:
             shown = []
             for child in element:
                 placed = PlacedElement(child, self.placed[element], reading)
-                if not reading.hides(find_reason_hidden(placed)):
+                if not reading.skip_hidden(find_reason_hidden(placed)):
                     self.placed[child] = placed
                     shown.append(child)
             element[:] = shown

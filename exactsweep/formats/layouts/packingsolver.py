@@ -111,7 +111,7 @@ def _read_drawn(document: JsonNode) -> list[model.FoundLayout]:
             for shape in (item / "item_shapes").each():
                 name = str(len(parts))
                 parts[name] = {"id": name, **_drawn(shape)}
-                placements.append(model.STANDING | {"part": name})
+                placements.append(model.IDENTITY_PLACEMENT | {"part": name})
         rest = {"defects": defects} if defects else {}
         sheets.append(model.FilledSheet(container, placements, rest=rest))
     note = "without the instance, items are judged as the solution draws them, rounded"

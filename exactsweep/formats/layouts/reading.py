@@ -17,7 +17,7 @@ from exactsweep.formats.layouts.instances import read_instance
 from exactsweep.formats.layouts.inventory import compare_inventory, read_inventory
 from exactsweep.formats.layouts.table import is_table, read_parts, read_table
 from exactsweep.formats.node import Data, JsonNode
-from exactsweep.formats.polygons import name_file, split_choice
+from exactsweep.formats.polygons import prefix_path, split_choice
 from exactsweep.formats.reading import Options, Reading
 from exactsweep.geometry.canonical import PolygonError
 from exactsweep.geometry.region import Region
@@ -98,12 +98,12 @@ def read_layouts(path: str, **options: Unpack[LayoutOptions]) -> list[model.Foun
     known, wanted = None, None
     if instance is not None:
         text = "" if os.path.isdir(instance) or has_magic(instance) else read_text(instance)
-        with name_file(instance):
+        with prefix_path(instance):
             known = _parse_instance(text, reading) if text.lstrip()[:1] == "{" else None
         if known is None:
             wanted = read_inventory(instance, reading)
     parts = None if part is None else read_parts(part, reading)
-    with name_file(file):
+    with prefix_path(file):
         text = read_text(file)
         if parts is not None or is_table(text):
             found = _read_table(text, parts, known, radians=radians)
@@ -207,7 +207,7 @@ def _parse_each(
     def flatten(
         k: int, names: Collection[str | None], tolerance: Fraction
     ) -> Mapping[str | None, Data]:
-        data = _parse(text, known, container, reading.at(tolerance))[k].data
+        data = _parse(text, known, container, reading.with_tolerance(tolerance))[k].data
         shapes = {part["id"]: part for part in data["parts"]} | {None: data.get("container", {})}
         return {name: shapes[name] for name in names if name in shapes}
 

@@ -26,7 +26,7 @@ from exactsweep.formats.files import read_text
 from exactsweep.formats.folder import list_parts, make_unique
 from exactsweep.formats.layouts.model import FoundLayout, write_rings, write_union
 from exactsweep.formats.node import Data, JsonNode
-from exactsweep.formats.polygons import name_file, split_choice
+from exactsweep.formats.polygons import prefix_path, split_choice
 from exactsweep.formats.reading import Reading
 from exactsweep.numbers.digits import format_fraction
 from exactsweep.numbers.error import prefix_errors, quote
@@ -72,7 +72,7 @@ def read_parts(path: str, reading: Reading) -> dict[str, Data]:
     """Read the parts for a table from Layout JSON, a file or a folder."""
     text = "" if os.path.isdir(path) or has_magic(path) else read_text(split_choice(path)[0])
     if text.lstrip()[:1] == "{":
-        with name_file(path):
+        with prefix_path(path):
             parts = parse_json(text)
             if JsonNode(parts).has("parts"):
                 return {
