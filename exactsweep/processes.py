@@ -27,11 +27,8 @@ _PASSES = 20
 
 _T = TypeVar("_T")
 
-# Held while a process starts, so that `_end_all` finds it.
-_starting = RLock()
-
-# Locked files; a forked process would share their locks.
-_locked: WeakSet[IO[Any]] = WeakSet()
+_starting = RLock()  # held while a process starts, so that `_end_all` finds it
+_locked: WeakSet[IO[Any]] = WeakSet()  # locked files; a forked process would share their locks
 
 
 class ChildProcess:
@@ -39,18 +36,13 @@ class ChildProcess:
 
     `end` kills the group, the descendants and, on systems with /proc, all processes with the mark.
     It cannot find an orphan that changed its group and its environment: this is not a sandbox.
-
-    Args:
-        command: the program and its arguments.
-
-    Raises:
-        OSError: the program cannot be started, or the system lacks process groups, as Windows does.
+    Raises OSError if the program cannot be started, or without process groups, as on Windows.
     """
 
     def __init__(self, command: Sequence[str]) -> None:
         if not hasattr(os, "killpg"):
             raise OSError(
-                "programs run on POSIX systems only; elsewhere, judge a Python function, or pipe "
+                "cannot run programs on this system (POSIX only); judge a Python function, or pipe "
                 "answers to 'exactsweep judge'"
             )
         import subprocess
@@ -67,12 +59,11 @@ class ChildProcess:
             )
 
     def reset_peak(self) -> None:
-        """Reset the peak memory of the process, where the system supports it."""
         with suppress(OSError):
             Path(f"/proc/{self.process.pid}/clear_refs").write_text("5")
 
     def read_peak(self) -> int | None:
-        """Return the sum of the peak memory of the process and its running descendants, in bytes.
+        """Return the total peak memory of the process and its running descendants, in bytes.
 
         The peaks may occur at different times. None if the system does not report them.
         """
@@ -80,7 +71,7 @@ class ChildProcess:
         return sum(peaks) or None
 
     def wait(self, seconds: float) -> int | None:
-        """Return the exit code, as `subprocess.Popen` does, or None after a timeout."""
+        """Return the exit code, or None after a timeout."""
         from subprocess import TimeoutExpired
 
         with suppress(TimeoutExpired):
@@ -172,7 +163,7 @@ class Pool:
     """A pool of `count` processes that end, with all descendants, when this process ends.
 
     Each process first calls `prepare(*arguments)`. With `forks`, processes are forked, which is
-    faster, while this process has a single thread. After a process was killed, `submit` and its
+    faster, if this process has a single thread. After a process was killed, `submit` and its
     futures raise BrokenProcessPool; `start` restarts the pool.
     """
 
@@ -191,7 +182,6 @@ class Pool:
         self.start()
 
     def start(self) -> None:
-        """Start new processes."""
         own = {name: os.environ.get(name) for name in _SPAWNED}
         # A fork would copy locks held by other threads.
         method = "fork" if self._forks and _has_one_thread() else "spawn"
@@ -202,7 +192,6 @@ class Pool:
             self._executor = ProcessPoolExecutor(self.count, context, _begin, given)
 
     def submit(self, function: Callable[..., _T], *arguments: object) -> Future[_T]:
-        """Call a function in an idle process."""
         with _allow_spawn():
             return self._executor.submit(function, *arguments)
 
@@ -219,7 +208,7 @@ class Pool:
 
 
 def _has_one_thread() -> bool:
-    """Decide whether this process has a single thread; always False except on Linux."""
+    """Return whether this process has a single thread; always False except on Linux."""
     with suppress(OSError):
         return len(os.listdir("/proc/self/task")) == 1
     return False
@@ -227,7 +216,7 @@ def _has_one_thread() -> bool:
 
 @contextmanager
 def _allow_spawn() -> Iterator[None]:
-    """Protect processes that start inside from Control-C and modules of the working directory.
+    """Protect processes that start inside from Control-C and from modules in the working directory.
 
     This process receives a Control-C afterwards.
     """
@@ -289,7 +278,6 @@ def _end_with(lifeline: Connection, mark: str) -> None:
 
 
 def _end_all(mark: str) -> NoReturn:
-    """End this process and its descendants."""
     with _starting:
         _kill_marked(mark)
         os._exit(1)

@@ -36,7 +36,7 @@ def write_vector(direction: Iterable[object]) -> str:
 
 
 def count(number: int, thing: str) -> str:
-    """Format a count and its noun, with a plural s unless the count is 1.
+    """Format a count and its noun, in the plural unless the count is 1.
 
     >>> count(0, "step"), count(1, "step"), count(20, "step")
     ('no steps', '1 step', '20 steps')
@@ -45,16 +45,11 @@ def count(number: int, thing: str) -> str:
 
 
 def write_size(vertices: int, area: Fraction) -> str:
-    """Describe the size of a polygon.
-
-    >>> write_size(3, Fraction(1, 2))
-    '3 vertices, area 1/2'
-    """
     return f"{vertices} vertices, area {abridge(area)}"
 
 
 def name_heading(vector: Vertex) -> str:
-    """Name the heading of a vector.
+    """Name the direction of a vector.
 
     >>> name_heading((-3, 1)), name_heading((0, -1))
     ('left and up', 'down')

@@ -10,7 +10,7 @@ import pytest
 from tiers import mostly_long
 
 from exactsweep import Polygon, sweep
-from exactsweep.batch import Part, local, run, take_all_pairs
+from exactsweep.batch import Part, run, take_all_pairs, workers
 from exactsweep.batch.work import Chunk, Work
 from exactsweep.conform import conform
 from exactsweep.corpus import Case, case_from_json, case_to_json
@@ -137,7 +137,7 @@ def test_walks_of_the_page_are_current() -> None:
     "title", mostly_long(WALKS, [title for title in WALKS if "claim" not in title])
 )
 def test_calls_take_the_walk(title: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(local, "LocalProcesses", Here)
+    monkeypatch.setattr(workers, "LocalProcesses", Here)
     seen = follow(WALKS[title], tmp_path)
     assert find_misstep(tell_walks()[title], seen) is None
 

@@ -1,7 +1,5 @@
 """The pairs of a batch, in order."""
 
-from __future__ import annotations
-
 from collections import Counter
 from collections.abc import Iterable, Iterator, Sequence
 from hashlib import sha256
@@ -10,10 +8,9 @@ from pathlib import Path
 from typing import NamedTuple
 
 from exactsweep import __version__
-from exactsweep.batch.error import BatchError
 from exactsweep.batch.parts import Part
 from exactsweep.batch.record import QUANTITIES, Quantities
-from exactsweep.batch.work import Chunk, NumberedPair, Work
+from exactsweep.batch.work import BatchError, Chunk, NumberedPair, Work
 from exactsweep.formats.candidate import NamedPolygon
 from exactsweep.formats.files import prefix_os_errors, show_path, split_lines
 from exactsweep.formats.folder import make_unique
@@ -22,17 +19,14 @@ from exactsweep.numbers.digits import format_fraction
 from exactsweep.numbers.error import explain_type_errors, quote
 from exactsweep.numbers.limits import Limits, get_limits
 
-CHUNK_PAIRS = 16
-"""The number of pairs in a chunk of a small batch."""
-
-# Maximum number of chunks, since one process distributes them.
-_CHUNKS = 2**14
+CHUNK_PAIRS = 16  # in a small batch
+_CHUNKS = 2**14  # maximum, since one process distributes them
 _MAX_CHUNK_PAIRS = 512
 _CHUNK_BYTES = 2**20
 
 
 class Job(NamedTuple):
-    """A batch: the work, the number of pairs, a digest of the input, and the file of pairs."""
+    """A batch: its work, the number of pairs, a digest of the input, and the file of pairs."""
 
     work: Work
     total: int
@@ -172,7 +166,10 @@ def _lines(path: str) -> Iterator[bytes]:
     with prefix_os_errors(path, BatchError):
         file = Path(path)
         if file.exists() and not file.is_file() and not file.is_dir():
-            raise BatchError(f"{show_path(path)}: a pipe or a device, which cannot be read twice")
+            raise BatchError(
+                f"{show_path(path)}: a pipe or a device cannot be read twice; save the pairs "
+                "to a file"
+            )
         with open(path, "rb") as lines:
             for line in split_lines(lines):
                 if line.strip():

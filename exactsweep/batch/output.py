@@ -4,8 +4,6 @@ Records go to FILE.part in order; when complete, it is renamed to FILE. FILE.job
 batch, and is locked while the batch runs.
 """
 
-from __future__ import annotations
-
 import json
 import os
 from collections.abc import Iterable
@@ -15,28 +13,17 @@ from stat import S_IFREG, S_ISDIR, S_ISREG
 from types import TracebackType
 from typing import Self
 
-from exactsweep.batch.error import BatchError
 from exactsweep.batch.job import Job
 from exactsweep.batch.record import is_error, is_record
+from exactsweep.batch.work import BatchError
 from exactsweep.formats.files import prefix_os_errors, show_path
 from exactsweep.processes import lock
 
-PARQUET = ".parquet"
-"""The suffix of a Parquet file."""
-
-CSV = ".csv"
-"""The suffix of a CSV file."""
+PARQUET, CSV = ".parquet", ".csv"
 
 
 class Output:
-    """The records of a batch; those of an earlier run are kept unless `restart`.
-
-    Attributes:
-        done, refused: the numbers of records and of error records.
-
-    Raises:
-        BatchError: a different batch left records for the same file, or is writing to it.
-    """
+    """The records of a batch; those of an earlier run are kept unless `restart`."""
 
     def __init__(self, path: str, job: Job, *, restart: bool = False) -> None:
         self.path, self.job = Path(path), job
@@ -51,7 +38,7 @@ class Output:
         if S_ISDIR(mode):
             raise BatchError(f"{show_path(path)}: Is a directory")
         if not S_ISREG(mode):
-            raise BatchError(f"{show_path(path)}: a pipe or a device, which cannot be resumed")
+            raise BatchError(f"{show_path(path)}: a pipe or a device; write to a regular file")
         self.is_table = self.path.suffix.lower() in (PARQUET, CSV)
         self.part = self.path.with_name(f"{self.path.name}.part")
         self.note = self.path.with_name(f"{self.path.name}.job")
@@ -116,7 +103,6 @@ class Output:
             self.file.flush()
 
     def finish(self) -> None:
-        """Convert or rename the records to the final file."""
         assert self.done == self.job.total
         with prefix_os_errors(str(self.path), BatchError):
             os.fsync(self.file.fileno())

@@ -12,28 +12,18 @@ from exactsweep.numbers.error import explain_type_errors
 
 
 class Part(NamedTuple):
-    """A polygon of a part list, or its error.
+    """A polygon in a part list, or its error."""
 
-    Attributes:
-        name: its id, else its index in the list.
-        polygon: a Polygon, a Region if it has holes, or an error message.
-    """
-
-    name: str
-    polygon: AnyPolygon | str
+    name: str  # its id, else its index in the list
+    polygon: AnyPolygon | str  # or an error message
 
 
 @explain_type_errors
 def read_parts(path: str, tolerance: object = None, **options: Unpack[Options]) -> tuple[Part, ...]:
     """Read a part list; an invalid polygon affects only its own pairs.
 
-    Args:
-        path: as for `exactsweep.formats.folder.find_files`, optionally with "#" and a choice.
-        tolerance: as for `exactsweep.formats.parse_polygons`.
-        options: as for `exactsweep.formats.parse_polygons`.
-
-    Raises:
-        FormatError: no file can be read.
+    The arguments are those of `exactsweep.formats.read_regions`; the path may also be a folder or a
+    pattern. Raises FormatError if no file can be read.
 
     Example:
         >>> from pathlib import Path
@@ -48,7 +38,6 @@ def read_parts(path: str, tolerance: object = None, **options: Unpack[Options]) 
 
 
 def make_parts(listing: Listing) -> tuple[Part, ...]:
-    """Read the polygons of a Listing, like `read_parts`."""
     found = []
     remarks = Remarks(listing.notes, listing.left_out)
     for name, _, candidate in listing.parts:
@@ -60,21 +49,12 @@ def make_parts(listing: Listing) -> tuple[Part, ...]:
 
 
 def rotate_parts(parts: Sequence[Part], degrees: Sequence[int | str]) -> list[Part]:
-    """Rotate each part about the origin.
+    """Rotate each part about the origin by each angle in degrees, as `Turn.near` does.
 
-    Args:
-        parts: the parts.
-        degrees: counter-clockwise. Angles other than multiples of 90 are approximated by
-            `Turn.near` of `exactsweep.geometry.turn`.
-
-    Returns:
-        list of Part; rotated parts are named like "part@90".
-
-    Example:
-        >>> from exactsweep import Polygon
-        >>> (part,) = rotate_parts([Part("a", Polygon([(0, 0), (2, 0), (0, 1)]))], [90])
-        >>> print(part.name, part.polygon)
-        a@90 (-1, 0) (0, 0) (0, 2)
+    >>> from exactsweep import Polygon
+    >>> (part,) = rotate_parts([Part("a", Polygon([(0, 0), (2, 0), (0, 1)]))], [90])
+    >>> print(part.name, part.polygon)
+    a@90 (-1, 0) (0, 0) (0, 2)
     """
     return [
         Part(f"{name}@{by}", shape if isinstance(shape, str) else shape.rotated(by))

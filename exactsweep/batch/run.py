@@ -1,37 +1,25 @@
 """Execution of a batch: chunks go to processes, records return in order."""
 
-from __future__ import annotations
-
 from collections import deque
 from collections.abc import Callable, Iterator, Sequence
-from concurrent.futures import CancelledError
-from typing import TYPE_CHECKING, NamedTuple
+from concurrent.futures import CancelledError, Future
+from typing import NamedTuple
 
-from exactsweep.batch.error import BatchError
+from exactsweep.batch import workers as pools
 from exactsweep.batch.job import Job
 from exactsweep.batch.output import Output
-from exactsweep.batch.work import Chunk, NumberedPair, Work
+from exactsweep.batch.work import BatchError, Chunk, NumberedPair, Work
 from exactsweep.numbers.error import explain_type_errors, quote
+from exactsweep.processes import count_cores
 
-if TYPE_CHECKING:
-    from concurrent.futures import Future
-
-    from exactsweep.batch.cluster import Cluster, RecordsOfCluster
-    from exactsweep.batch.local import LocalProcesses
-
-    Processes = LocalProcesses | Cluster
-
-# Chunks in flight per process, to keep all busy while one is slow.
-_CHUNKS_AHEAD = 8
-# How many processes a single pair may kill.
-_TRIES = 3
-
+Processes = pools.LocalProcesses | pools.Cluster
 MAX_WORKERS = 1024
-"""Maximum number of worker processes."""
+_CHUNKS_AHEAD = 8  # in flight per process, to keep all busy while one is slow
+_TRIES = 3  # processes that a single pair may kill
 
 
 class Counts(NamedTuple):
-    """Counts of pairs, error records, and records from an earlier run."""
+    """Numbers of pairs, of error records, and of records from an earlier run."""
 
     pairs: int
     refused: int
@@ -94,21 +82,16 @@ def run(
 
 def _start_processes(work: Work, workers: int | None, scheduler: str | None) -> Processes:
     if workers is not None and not 1 <= workers <= MAX_WORKERS:
-        raise BatchError(f"{quote(workers)} workers: not from 1 to {MAX_WORKERS}")
+        raise BatchError(f"the number of workers must be 1 to {MAX_WORKERS}, not {quote(workers)}")
     if scheduler is None:
-        from exactsweep.batch.local import LocalProcesses
-
-        return LocalProcesses(work, workers)
-    from exactsweep.batch.cluster import Cluster
-    from exactsweep.processes import count_cores
-
-    return Cluster(work, scheduler, workers or count_cores())
+        return pools.LocalProcesses(work, workers)
+    return pools.Cluster(work, scheduler, workers or count_cores())
 
 
 def _take_in_order(
     chunks: Iterator[Chunk], processes: Processes, work: Work
 ) -> Iterator[Sequence[bytes]]:
-    pending: deque[tuple[Chunk, Future[Sequence[bytes]] | RecordsOfCluster]] = deque()
+    pending: deque[tuple[Chunk, Future[Sequence[bytes]] | pools.RecordsOfCluster]] = deque()
     for chunk in chunks:
         pending.append((chunk, processes.submit(chunk)))
         if len(pending) >= _CHUNKS_AHEAD * processes.count:
@@ -119,7 +102,7 @@ def _take_in_order(
 
 def _take_result(
     chunk: Chunk,
-    answer: Future[Sequence[bytes]] | RecordsOfCluster,
+    answer: Future[Sequence[bytes]] | pools.RecordsOfCluster,
     processes: Processes,
     work: Work,
 ) -> Sequence[bytes]:

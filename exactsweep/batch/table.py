@@ -1,7 +1,5 @@
 """Conversion of records to CSV or Parquet tables."""
 
-from __future__ import annotations
-
 import csv
 import json
 from collections.abc import Iterator
@@ -64,7 +62,7 @@ def _float(area: str) -> float:
     found = float(area)
     if isinf(found):
         raise FormatError(
-            f"the area {abridge(Fraction(area))} does not fit a Parquet double; use .csv"
+            f"the area {abridge(Fraction(area))} exceeds the range of Parquet doubles; write .csv"
         )
     return found
 
@@ -79,8 +77,7 @@ def _rows(lines: Iterator[bytes]) -> Iterator[dict[str, str | None]]:
         }
 
 
-class _Digits(str):
-    """A number as text."""
+class _Digits(str): ...
 
 
 def _text(value: Any) -> str:

@@ -1,6 +1,4 @@
-"""The computation of pairs in a worker process."""
-
-from __future__ import annotations
+"""Computation of pairs in a worker process."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
@@ -16,7 +14,7 @@ from exactsweep.formats.files import decode_text
 from exactsweep.formats.json_polygons import find_candidates
 from exactsweep.formats.rounding import Rounding
 from exactsweep.geometry.region import AnyPolygon
-from exactsweep.numbers.error import prefix_errors, quote
+from exactsweep.numbers.error import ExactSweepError, prefix_errors, quote
 from exactsweep.numbers.limits import Limits, get_limits, limits
 from exactsweep.sweep import NoFitPolygon, Sweep, no_fit_polygon, sweep
 from exactsweep.words import suggest
@@ -26,32 +24,26 @@ _OPTIONS = ("direction", "reference")
 _MEMBERS = ("id", "generatrix", "directrix", *_OPTIONS)
 
 
+# The index of a pair, and its number among all pairs of parts or its line in a file of pairs.
 NumberedPair = tuple[int, int | bytes]
-"""The index of a pair, and its number among all pairs of parts, or its line in a file of pairs."""
-
 Chunk = Sequence[NumberedPair]
-"""Pairs for one process."""
+
+
+class BatchError(ExactSweepError):
+    """A batch that cannot run or resume; the message says why."""
 
 
 @dataclass(frozen=True)
 class Work:
-    """The data of a batch, sent once to every worker.
-
-    Attributes:
-        generatrices: the moving parts, or the parts that a file of pairs may name.
-        directrices: the fixed parts, or the same parts.
-        rounding: as for `take_all_pairs`.
-        limits: the limits of the caller.
-    """
+    """The data of a batch, sent once to every worker."""
 
     what: Quantities
-    generatrices: Sequence[Part]
-    directrices: Sequence[Part]
+    generatrices: Sequence[Part]  # the moving parts, or those that a file of pairs may name
+    directrices: Sequence[Part]  # the fixed parts, or the same ones
     rounding: Rounding | None = None
     limits: Limits = field(default_factory=get_limits)
 
     def lines(self, chunk: Chunk) -> list[bytes]:
-        """Compute the records of a chunk."""
         return [self.line(index, pair) for index, pair in chunk]
 
     def line(self, index: int, pair: int | bytes) -> bytes:
@@ -77,7 +69,6 @@ class Work:
         return write_error_line(index, names, reason)
 
     def lost_line(self, index: int, pair: int | bytes) -> bytes:
-        """Format the record of a pair that kills its processes."""
         parts = self._parts(pair) if isinstance(pair, int) else {}
         names: Names = {role: part.name for role, part in parts.items()}
         reason = "every process that tried this pair was killed"
@@ -93,7 +84,7 @@ class Work:
         if self.what != "nfp":
             return sweep(generatrix, directrix, **options)
         if "direction" in options:
-            raise FormatError("$.direction: a no-fit polygon takes no direction")
+            raise FormatError("$.direction: not supported for no-fit polygons")
         return no_fit_polygon(directrix, generatrix, **options)
 
     def _read(self, line: bytes, names: Names) -> Sweep | NoFitPolygon:
@@ -110,7 +101,9 @@ class Work:
                 names[member] = document[member]
         for member in document:
             if member not in _MEMBERS:
-                raise FormatError(f"$ has {quote(member)}{suggest(member, _MEMBERS)}")
+                raise FormatError(
+                    f"$ has an unknown key {quote(member)}{suggest(member, _MEMBERS)}"
+                )
         options: dict[str, Any] = {
             name: _pair(document[name], name) for name in _OPTIONS if document.get(name) is not None
         }

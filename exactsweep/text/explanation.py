@@ -1,7 +1,5 @@
 """Explanation of a sweep in words, step by step."""
 
-from __future__ import annotations
-
 from collections import Counter
 from collections.abc import Iterable, Iterator, Sequence
 
@@ -23,11 +21,7 @@ _HALVES: dict[Half, str] = {
 
 
 def describe_steps(s: SweepAnswer) -> Iterator[str]:
-    """Explain a sweep; yield ASCII lines.
-
-    The steps around D come first, then the holes of the no-fit polygon and the exact fits. Features
-    have the indices and coordinates of the caller's input; positions are those of the reference
-    point.
+    """Explain a sweep; yield ASCII lines: the steps around D, the holes, and the exact fits.
 
     >>> from exactsweep import sweep
     >>> square = [(0, 0), (1, 0), (1, 1), (0, 1)]
@@ -58,7 +52,7 @@ def describe_steps(s: SweepAnswer) -> Iterator[str]:
 
 
 class _FeatureNames:
-    """The names of the vertices and edges of a polygon, by input index."""
+    """Names of the vertices and edges of a polygon, by input index."""
 
     def __init__(self, shape: AnyPolygon, letter: str) -> None:
         self.names: dict[str, dict[int, str]] = {"V": {}, "E": {}}
@@ -127,7 +121,6 @@ class _Narrator:
                 yield f"Here {self._landmark(mark)}"
 
     def holes(self) -> Iterator[str]:
-        """Describe the holes of the no-fit polygon, edge by edge."""
         s = self.sweep
         loops = [hole.vertices for hole in s.no_fit_holes]
         for k, along in enumerate(s.contacts_along(loops)):
@@ -143,7 +136,6 @@ class _Narrator:
                 yield from (f"  {self._slide(contact)}" for contact in contacts)
 
     def fits(self) -> Iterator[str]:
-        """Describe the exact fits, with the contacts along each."""
         s = self.sweep
         segments = iter(s.contacts_along([fit for fit in s.exact_fits if fit[0] != fit[1]]))
         for k, (start, end) in enumerate(s.exact_fits):

@@ -1,7 +1,5 @@
 """Reports and JSON of Minkowski sums and overlaps."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from typing import NamedTuple
 
@@ -9,28 +7,18 @@ from exactsweep.evidence.overlap import Overlap
 from exactsweep.formats.exact_json import write_json
 from exactsweep.geometry.polyline import Polyline
 from exactsweep.geometry.region import AnyPolygon, Region
-from exactsweep.text.report import (
-    approximate,
-    lay_out,
-    list_facts,
-    make_table,
-    take_root,
-    write_area,
-)
+from exactsweep.text import report
 from exactsweep.text.results import write_json_value, write_object
 from exactsweep.words import count, write_pair
 
 
 class NamedOverlap(NamedTuple):
-    """An Overlap, with the names of both shapes."""
-
     first: str
     second: str
     found: Overlap
 
 
 def sum_to_json(a: AnyPolygon, b: AnyPolygon | Polyline, found: Region) -> str:
-    """Format a Minkowski sum and its summands as JSON, one key per line."""
     path = {"path": b.points, "closed": b.closed} if isinstance(b, Polyline) else None
     return write_object(
         {
@@ -46,23 +34,21 @@ def sum_to_json(a: AnyPolygon, b: AnyPolygon | Polyline, found: Region) -> str:
 def report_sum(
     a: AnyPolygon, b: AnyPolygon | Polyline, found: Region, terminal_width: int | None = None
 ) -> str:
-    """Describe a Minkowski sum: sizes, areas, loops."""
     loops = {"exterior": found.exterior}
     loops |= {f"hole {k}": hole for k, hole in enumerate(found.holes)}
     width = max(map(len, [*loops, "b (path)"]))
-    sizes = make_table(("", "vertices", "area about", "area exactly"), {"vertices"}, width)
-    sizes.add_row("a", str(len(a)), *write_area(a.area))
+    sizes = report.make_table(("", "vertices", "area about", "area exactly"), {"vertices"}, width)
+    sizes.add_row("a", str(len(a)), *report.write_area(a.area))
     if isinstance(b, Polyline):
         sizes.add_row("b (path)", str(len(b)), "", "")
     else:
-        sizes.add_row("b", str(len(b)), *write_area(b.area))
-    sizes.add_row("sum", str(len(found)), *write_area(found.area))
+        sizes.add_row("b", str(len(b)), *report.write_area(b.area))
+    sizes.add_row("sum", str(len(found)), *report.write_area(found.area))
     texts = {name: str(loop).replace(", ", ",") for name, loop in loops.items()}
-    return lay_out([sizes, list_facts(texts, width)], terminal_width)
+    return report.lay_out([sizes, report.list_facts(texts, width)], terminal_width)
 
 
 def overlap_to_json(o: Overlap) -> str:
-    """Format an overlap and its shapes as JSON, one key per line."""
     return write_object(
         {
             "a": write_json(write_json_value(o.a)),
@@ -73,7 +59,6 @@ def overlap_to_json(o: Overlap) -> str:
 
 
 def overlaps_to_json(found: Sequence[NamedOverlap]) -> str:
-    """Format overlaps as JSON lines, with the names of the shapes."""
     return "".join(
         write_json({"a": first, "b": second} | _list_results(o)) + "\n"
         for first, second, o in found
@@ -92,19 +77,18 @@ def _list_results(o: Overlap) -> dict[str, object]:
 
 
 def report_overlap(o: Overlap, terminal_width: int | None = None) -> str:
-    """Describe the overlap of two shapes: verdict, area, depth, least move, witness."""
     facts: dict[str, str] = {"verdict": o.verdict}
     if o.verdict == "OVERLAP":
-        facts["common area"] = _join(*write_area(o.area))
-        facts["depth"] = approximate(take_root(o.depth_squared), up=True)
+        facts["common area"] = _join(*report.write_area(o.area))
+        facts["depth"] = report.approximate(report.take_root(o.depth_squared), up=True)
         facts["least move"] = f"{write_pair(o.move)} of b"
     elif o.verdict == "FREE":
-        facts["distance"] = approximate(take_root(o.distance_squared))
+        facts["distance"] = report.approximate(report.take_root(o.distance_squared))
         facts["nearest"] = " ".join(map(write_pair, o.nearest))
     if o.witness is not None:
         where = "inside both" if o.verdict == "OVERLAP" else "on both boundaries"
         facts["witness"] = f"{write_pair(o.witness)}, {where}"
-    return lay_out([list_facts(facts, 0)], terminal_width)
+    return report.lay_out([report.list_facts(facts, 0)], terminal_width)
 
 
 def report_overlaps(
@@ -112,14 +96,14 @@ def report_overlaps(
 ) -> str:
     """List the pairs that overlap or touch, and count the free ones."""
     numbers = ("area about", "depth about")
-    table = make_table(("a", "b", "verdict", *numbers), numbers)
+    table = report.make_table(("a", "b", "verdict", *numbers), numbers)
     for first, second, o in found:
-        depth = approximate(take_root(o.depth_squared), up=True)
-        table.add_row(first, second, o.verdict, approximate(o.area), depth)
+        depth = report.approximate(report.take_root(o.depth_squared), up=True)
+        table.add_row(first, second, o.verdict, report.approximate(o.area), depth)
     overlapping = sum(o.verdict == "OVERLAP" for *_, o in found)
     touching = len(found) - overlapping
     total = f"{count(overlapping, 'overlap')}, {touching} in contact, {free} free\n"
-    return (lay_out([table], terminal_width) if found else "") + total
+    return (report.lay_out([table], terminal_width) if found else "") + total
 
 
 def _join(rounded: str, exact: str) -> str:

@@ -15,7 +15,7 @@ from exactsweep.evidence.sweep import SweepAnswer
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.geometry.region import AnyPolygon, Region
 from exactsweep.numbers.digits import abridge, find_magnitude, format_fraction
-from exactsweep.numbers.number import Fit, Point, find_root
+from exactsweep.numbers.number import Fit, find_root
 from exactsweep.words import CLASSES, write_pair
 
 # rich is slow to import.
@@ -23,13 +23,9 @@ if TYPE_CHECKING:
     from rich.table import Table
 
 NO_FILES: Mapping[str, str] = MappingProxyType({})
-"""For polygons that do not come from files."""
-
-_SHOWN = 6
-"""Significant digits of rounded numbers."""
+_SHOWN = 6  # significant digits of rounded numbers
 _ANY_EXPONENT = Context(prec=99, Emax=MAX_EMAX, Emin=MIN_EMIN)
-# rich always wraps, so this exceeds the length of any line.
-_NO_WRAPPING = 10**9
+_NO_WRAPPING = 10**9  # rich always wraps, so this exceeds the length of any line
 
 
 def report(
@@ -41,38 +37,30 @@ def report(
 ) -> str:
     """Describe a sweep: class, direction, undercuts, exact fits, sizes, areas, loops.
 
-    Areas are exact, with a decimal approximation if that differs. Long loops are truncated.
+    Areas are exact, with a decimal approximation if that differs. Long loops are truncated unless
+    `everything` is set. `terminal_width` is None for plain text; `files` are the files of the
+    polygons, by role, such as "moves" and "stays".
 
-    Args:
-        sweep: a Sweep.
-        terminal_width: the width of the terminal in columns; None for plain text.
-        everything: whether to show all vertices, and all digits of their coordinates.
-        files: the files of the polygons, by role, such as "moves" and "stays".
-
-    Returns:
-        ASCII lines; for a terminal also control sequences.
-
-    Example:
-        >>> from exactsweep import sweep
-        >>> square = [(0, 0), (1, 0), (1, 1), (0, 1)]
-        >>> print(report(sweep(square, [(0, 0), (1, 0), (0, "1/3")])), end="")
-        class       CC, convex generatrix and convex directrix
-        direction   (1,0)
-        reference   (0,0)
-        undercuts   0
-        exact fits  0
-        <BLANKLINE>
-                    vertices  area about  area exactly
-        generatrix         4              1
-        directrix          3  0.166667    1/6
-        trajectory         5  2.5         5/2
-        inner loop         3  0.166667    1/6
-        outer loop         5  6.83333     41/6
-        swept area            6.66667     20/3
-        <BLANKLINE>
-        trajectory  (-1,-1) (1,-1) (1,0) (0,1/3) (-1,1/3)
-        inner loop  (0,0) (1,0) (0,1/3)
-        outer loop  (-1,-1) (2,-1) (2,1) (1,4/3) (-1,4/3)
+    >>> from exactsweep import sweep
+    >>> square = [(0, 0), (1, 0), (1, 1), (0, 1)]
+    >>> print(report(sweep(square, [(0, 0), (1, 0), (0, "1/3")])), end="")
+    class       CC, convex generatrix and convex directrix
+    direction   (1,0)
+    reference   (0,0)
+    undercuts   0
+    exact fits  0
+    <BLANKLINE>
+                vertices  area about  area exactly
+    generatrix         4              1
+    directrix          3  0.166667    1/6
+    trajectory         5  2.5         5/2
+    inner loop         3  0.166667    1/6
+    outer loop         5  6.83333     41/6
+    swept area            6.66667     20/3
+    <BLANKLINE>
+    trajectory  (-1,-1) (1,-1) (1,0) (0,1/3) (-1,1/3)
+    inner loop  (0,0) (1,0) (0,1/3)
+    outer loop  (-1,-1) (2,-1) (2,1) (1,4/3) (-1,4/3)
     """
     loops = {
         "trajectory": sweep.trajectory,
@@ -101,7 +89,6 @@ def report_no_fit(
     everything: bool = False,
     files: Mapping[str, str] = NO_FILES,
 ) -> str:
-    """Describe a no-fit polygon; the options are those of `report`."""
     loops = {"exterior": n.exterior, **{f"hole {k}": hole for k, hole in enumerate(n.holes)}}
     facts = {
         **files,
@@ -123,7 +110,6 @@ def report_regions(
     everything: bool = False,
     files: Mapping[str, str] = NO_FILES,
 ) -> str:
-    """Describe regions of positions; the options are those of `report`."""
     exact = "fits exactly" if f.exact_fits else "does not fit"
     given = {name: getattr(f, name) for name in f.asked if name != "reference"}
     facts = {
@@ -168,15 +154,13 @@ def _format_report(
     if everything:
         # Tables are slow with long numbers.
         lines = {n: loop.vertices for n, loop in loops.items()} | ends
-        shown = (
-            f"{n:<{width}}  {' '.join(map(_write_point, line))}\n" for n, line in lines.items()
-        )
+        points = {
+            n: (f"({format_fraction(p.x)},{format_fraction(p.y)})" for p in line)
+            for n, line in lines.items()
+        }
+        shown = (f"{n:<{width}}  {' '.join(line)}\n" for n, line in points.items())
         return lay_out(tables, terminal_width) + "\n" * bool(lines) + "".join(shown)
     return lay_out([*tables, *([list_facts(texts, width)] if texts else [])], terminal_width)
-
-
-def _write_point(point: Point) -> str:
-    return f"({format_fraction(point.x)},{format_fraction(point.y)})"
 
 
 def lay_out(tables: Iterable[Table], terminal_width: int | None) -> str:
@@ -200,10 +184,7 @@ def lay_out(tables: Iterable[Table], terminal_width: int | None) -> str:
 
 
 def make_table(heads: Iterable[str], numbers: Container[str] = (), width: int = 0) -> Table:
-    """Make a borderless table with a bold first column of a minimum width.
-
-    `numbers` are the heads of right-aligned columns.
-    """
+    """Make a borderless table; columns whose heads are in `numbers` are right-aligned."""
     from rich.table import Table
 
     table = Table(box=None, pad_edge=False, padding=(0, 2, 0, 0))
@@ -219,7 +200,6 @@ def make_table(heads: Iterable[str], numbers: Container[str] = (), width: int = 
 
 
 def list_facts(texts: Mapping[str, str], width: int) -> Table:
-    """Make a table of names and descriptions, with a minimum width for the names."""
     from rich.table import Table
 
     table = Table.grid(padding=(0, 2, 0, 0))

@@ -1,18 +1,16 @@
-"""Results as exact JSON and as named regions."""
+"""Results as exact JSON, and as named regions."""
 
 from __future__ import annotations
 
 import json
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Mapping
 from fractions import Fraction
 from typing import TYPE_CHECKING
 
-from exactsweep.evidence.contact import Contact
 from exactsweep.evidence.minkowski import MinkowskiSum
 from exactsweep.evidence.no_fit import NoFitAnswer, RegionAnswer
 from exactsweep.evidence.steps import Step, explain
 from exactsweep.evidence.sweep import SweepAnswer
-from exactsweep.evidence.undercut import Undercut
 from exactsweep.formats.candidate import NamedRegion
 from exactsweep.geometry.direction import Vector
 from exactsweep.geometry.polygon import Polygon
@@ -28,9 +26,8 @@ _ZERO = Fraction(0)
 def sweep_to_json(sweep: SweepAnswer, error: Fraction = _ZERO) -> str:
     """Format a sweep and its input as JSON, one key per line.
 
-    The direction is a pair of integers, null for kind "SS"; all other numbers are strings that
-    `to_fraction` reads. A polygon with holes is an object with "exterior" and "holes". `error` is
-    the sum of the errors of both polygons; 0 is omitted.
+    The direction is a pair of integers, null for kind "SS"; all other numbers are strings for
+    `to_fraction`. `error` is the sum of the errors of both polygons; 0 is omitted.
     """
     loops = {"trajectory": sweep.trajectory, "inner": sweep.inner, "outer": sweep.outer}
     texts = {
@@ -44,7 +41,6 @@ def sweep_to_json(sweep: SweepAnswer, error: Fraction = _ZERO) -> str:
 
 
 def no_fit_to_json(n: NoFitAnswer, error: Fraction = _ZERO) -> str:
-    """Format a no-fit polygon and its input as JSON, like `sweep_to_json`."""
     return write_object(
         {
             "stationary": _write(write_json_value(n.stationary)),
@@ -61,7 +57,6 @@ def no_fit_to_json(n: NoFitAnswer, error: Fraction = _ZERO) -> str:
 
 
 def regions_to_json(f: RegionAnswer, error: Fraction = _ZERO) -> str:
-    """Format regions of positions and their input as JSON, like `sweep_to_json`."""
     return write_object(
         {
             **{name: _write(value) for name in f.asked if (value := getattr(f, name)) != ()},
@@ -91,7 +86,6 @@ def _loops(loops: Iterable[Polygon]) -> list[object]:
 
 
 def certificate_to_json(result: SweepAnswer | NoFitAnswer | RegionAnswer | MinkowskiSum) -> str:
-    """Format the certificate of an answer as JSON."""
     found = result.certificate()
     return write_object(
         {name: json.dumps(value, separators=(",", ":")) for name, value in found.items()}
@@ -101,9 +95,14 @@ def certificate_to_json(result: SweepAnswer | NoFitAnswer | RegionAnswer | Minko
 def explanation_to_json(sweep: SweepAnswer) -> str:
     """Format the steps of a sweep as JSON, like `sweep_to_json`.
 
-    "features" maps each vertex, and the edge that starts there, to its index in the caller's input.
+    "features" maps each vertex, and the edge that starts there, to its index in the input.
     """
     steps = [_write(_step(step)) for step in explain(sweep)]
+    segments = iter(sweep.contacts_along([fit for fit in sweep.exact_fits if fit[0] != fit[1]]))
+    fit_contacts = [
+        sweep.contacts_at(fit[0]) if fit[0] == fit[1] else next(segments)[0]
+        for fit in sweep.exact_fits
+    ]
     return write_object(
         {
             **_input(sweep),
@@ -113,9 +112,14 @@ def explanation_to_json(sweep: SweepAnswer) -> str:
                     "directrix": list_indices(sweep.directrix),
                 }
             ),
-            "undercuts": _write([_undercut(undercut) for undercut in sweep.undercuts]),
+            "undercuts": _write(
+                [
+                    u._asdict() | {"polygon": u.polygon.vertices, "area": u.polygon.area}
+                    for u in sweep.undercuts
+                ]
+            ),
             "exact_fits": _write(sweep.exact_fits),
-            "exact_fit_contacts": _write(_fit_contacts(sweep)),
+            "exact_fit_contacts": _write(fit_contacts),
             "holes": _write(_holes(sweep)),
             "steps": "[\n    " + ",\n    ".join(steps) + "\n  ]",
         }
@@ -128,16 +132,7 @@ def _holes(sweep: SweepAnswer) -> list[dict[str, object]]:
     return [{"loop": loop, "contacts": found} for loop, found in zip(loops, along, strict=True)]
 
 
-def _fit_contacts(sweep: SweepAnswer) -> list[Sequence[Contact]]:
-    segments = iter(sweep.contacts_along([fit for fit in sweep.exact_fits if fit[0] != fit[1]]))
-    return [
-        sweep.contacts_at(fit[0]) if fit[0] == fit[1] else next(segments)[0]
-        for fit in sweep.exact_fits
-    ]
-
-
 def verification_to_json(verification: Verification) -> str:
-    """Format a Verification as JSON."""
     return write_object({name: _write(part) for name, part in verification._asdict().items()})
 
 
@@ -152,24 +147,18 @@ def _input(sweep: SweepAnswer) -> dict[str, str]:
 
 
 def direction_to_json(direction: Vector | None) -> str:
-    """Format a direction as a pair of integers, or null."""
     if direction is None:
         return "null"
     return f"[{', '.join(format_fraction(Fraction(component)) for component in direction)}]"
 
 
 def list_indices(shape: AnyPolygon) -> dict[str, list[int]]:
-    """List the indices of vertices, and of the edges that start there, in the caller's input."""
+    """List the input indices of vertices, and of the edges that start there."""
     size = len(shape)
     return {
         "vertices": [shape.vertex_index(k) for k in range(size)],
         "edges": [shape.edge_index(k) for k in range(size)],
     }
-
-
-def _undercut(undercut: Undercut) -> dict[str, object]:
-    area = {"area": undercut.polygon.area}
-    return {**undercut._asdict(), "polygon": undercut.polygon.vertices, **area}
 
 
 def _step(step: Step) -> dict[str, object]:
@@ -188,11 +177,10 @@ def write_object(texts: Mapping[str, str]) -> str:
 
 
 def _write(value: object) -> str:
-    return json.dumps(value, default=_encode)
-
-
-def _encode(value: Region | Fraction) -> object:
-    return write_json_value(value) if isinstance(value, Region) else format_fraction(value)
+    return json.dumps(
+        value,
+        default=lambda v: write_json_value(v) if isinstance(v, Region) else format_fraction(v),
+    )
 
 
 def sweep_to_regions(
@@ -213,13 +201,11 @@ def sweep_to_regions(
 def no_fit_to_regions(
     n: NoFitAnswer, stays: Fraction = _ZERO, moves: Fraction = _ZERO
 ) -> list[NamedRegion]:
-    """Return a no-fit polygon as a region "nfp", without its exact fits."""
     return [NamedRegion(Region(n.exterior, n.holes), "nfp", None, stays + moves)]
 
 
 def name_regions(
     f: RegionAnswer, stays: Fraction = _ZERO, moves: Fraction = _ZERO
 ) -> list[NamedRegion]:
-    """Name regions of positions "region 0" and so on."""
     regions = enumerate(f.regions)
     return [NamedRegion(region, f"region {k}", None, stays + moves) for k, region in regions]

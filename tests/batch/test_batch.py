@@ -125,16 +125,20 @@ def test_invalid_batches_are_rejected(tmp_path: Path) -> None:
     with pytest.raises(BatchError, match=r"none: No such file or directory$"):
         take_listed_pairs(str(tmp_path / "none"))
     os.mkfifo(tmp_path / "pipe")
-    with pytest.raises(BatchError, match=r"pipe: a pipe or a device, which cannot be read twice$"):
+    with pytest.raises(
+        BatchError,
+        match=r"pipe: a pipe or a device cannot be read twice; save the pairs to a file$",
+    ):
         take_listed_pairs(str(tmp_path / "pipe"))
     for workers in (0, 1025):
-        with pytest.raises(BatchError, match=f"^{workers} workers: not from 1 to 1024$"):
+        message = f"^the number of workers must be 1 to 1024, not {workers}$"
+        with pytest.raises(BatchError, match=message):
             run_batch(take_all_pairs([SQUARE], [SQUARE]), str(tmp_path / "out"), workers=workers)
     for output, message in {
         str(tmp_path): "Is a directory",
         "": "'': Is a directory",
         f"{tmp_path}/none/out.jsonl": "none/out.jsonl: No such file or directory",
-        f"{tmp_path}/pipe": "a pipe or a device, which cannot be resumed",
+        f"{tmp_path}/pipe": "a pipe or a device; write to a regular file",
         f"{tmp_path}/{'x' * 300}": "x: File name too long",
     }.items():
         with pytest.raises(BatchError, match=f"{message}$"):

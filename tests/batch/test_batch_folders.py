@@ -21,7 +21,7 @@ from tiers import examples
 from exactsweep import Point, Polygon, Region, no_fit_polygon
 from exactsweep.batch import Part, Rounding, take_all_pairs
 from exactsweep.batch.parts import rotate_parts
-from exactsweep.batch.rounded import round_values
+from exactsweep.batch.record import round_values
 from exactsweep.formats.folder import find_files, list_parts, make_unique
 from exactsweep.formats.rounding import contains
 from exactsweep.geometry.turn import read_turn

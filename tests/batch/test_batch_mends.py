@@ -8,7 +8,7 @@ from command import HOUSE, NOTCH, refusal, run
 
 from exactsweep.batch import BatchError, take_all_pairs
 from exactsweep.batch import run as run_batch
-from exactsweep.batch.cluster import _require_address
+from exactsweep.batch.workers import _require_address
 from exactsweep.formats import FormatError, NamedPolygon
 from exactsweep.geometry.polygon import Polygon
 
@@ -41,7 +41,9 @@ def test_a_batch_never_overwrites_its_input(
 )
 def test_invalid_addresses_are_rejected_before_connecting(address: str, tmp_path: Path) -> None:
     job = take_all_pairs([NamedPolygon(UNIT, "a")], [NamedPolygon(UNIT, "b")])
-    with pytest.raises(BatchError, match=r"^no Dask scheduler at .*: not as in tcp://host:8786$"):
+    with pytest.raises(
+        BatchError, match=r"is not the address of a Dask scheduler, as in tcp://host:8786$"
+    ):
         run_batch(job, str(tmp_path / "o.jsonl"), scheduler=address)
 
 
@@ -70,7 +72,7 @@ def test_areas_beyond_floats_are_not_infinities(tmp_path: Path) -> None:
         "areas",
     )
     message = refusal(run(*given, "-o", str(output)))
-    assert "does not fit a Parquet double; use .csv" in message
+    assert "exceeds the range of Parquet doubles; write .csv" in message
     assert run(*given, "-o", str(tmp_path / "o.csv")).exit_code == 0
     assert "inf" not in (tmp_path / "o.csv").read_text()
 

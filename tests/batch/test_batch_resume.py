@@ -214,7 +214,7 @@ def test_a_killed_worker_costs_no_record(
 
 DEADLY = """
 import os, sys
-from exactsweep.batch import local, run, take_all_pairs
+from exactsweep.batch import run, take_all_pairs
 from exactsweep.batch.work import Work
 from exactsweep.formats import NamedPolygon
 from exactsweep import Polygon

@@ -1,36 +1,80 @@
-"""Workers of a Dask cluster, on one machine or many."""
+"""Workers: local processes, or those of a Dask cluster."""
 
 from __future__ import annotations
 
+import pickle
 import re
-from collections.abc import Sequence
+import sys
+from collections.abc import Iterator, Sequence
 from concurrent.futures import CancelledError, Future, wait
-from contextlib import suppress
+from concurrent.futures.process import BrokenProcessPool
+from contextlib import contextmanager, nullcontext, suppress
 from typing import Any
 
-from exactsweep.batch.error import BatchError
-from exactsweep.batch.work import Chunk, Work
+from exactsweep.batch.work import BatchError, Chunk, Work
 from exactsweep.formats.error import FormatError
 from exactsweep.numbers.error import quote, require_imports
+from exactsweep.processes import Pool, count_cores
 
-LOCAL = "local"
-"""The address of a temporary cluster on this machine."""
-
+LOCAL = "local"  # the address of a temporary cluster on this machine
 _ADDRESS = re.compile(
     r"(?:[a-z]{2,8}://)?(?P<host>[\w.-]{1,253}|\[[0-9A-Fa-f:.%\w]{2,60}\])(?::(?P<port>[0-9]{1,5}))?"
 )
-# Seconds between two checks of the scheduler.
-_LOOK = 0.5
+_LOOK = 0.5  # seconds between two checks of the scheduler
+
+
+class LocalProcesses:
+    """A pool of `count` processes; `lost` are the exceptions for chunks of killed processes."""
+
+    lost: tuple[type[BaseException], ...] = (BrokenProcessPool,)
+
+    def __init__(self, work: Work, count: int | None = None) -> None:
+        self.count = count or count_cores()
+        # Workers need the main module only if it defines classes used in the work.
+        self._around = nullcontext if b"__main__" in pickle.dumps(work) else _hide_main
+        with self._around():
+            self._pool = Pool(self.count, _set_work, work, forks=True)
+
+    def submit(self, chunk: Chunk) -> Future[Sequence[bytes]]:
+        with self._around():
+            try:
+                return self._pool.submit(_compute_here, chunk)
+            except BrokenProcessPool:
+                self._pool.start()
+                return self._pool.submit(_compute_here, chunk)
+
+    def close(self) -> None:
+        self._pool.close()
+
+
+@contextmanager
+def _hide_main() -> Iterator[None]:
+    """Keep new processes from importing the main module, which may lack a main guard."""
+    main = vars(sys.modules["__main__"])
+    hidden: dict[str, object] = {
+        name: main.pop(name) for name in ("__spec__", "__file__") if name in main
+    }
+    main["__spec__"] = None
+    try:
+        yield
+    finally:
+        main.update({"__spec__": None, **hidden})
+
+
+_work: Work
+
+
+def _set_work(work: Work) -> None:
+    global _work
+    _work = work
+
+
+def _compute_here(chunk: Chunk) -> Sequence[bytes]:
+    return _work.lines(chunk)
 
 
 class Cluster:
-    """The workers of a Dask scheduler; Dask repeats the chunks of lost workers.
-
-    `count` is the number of processes of a LOCAL cluster.
-
-    Raises:
-        BatchError: no scheduler answers.
-    """
+    """The workers of a Dask scheduler, or `count` local ones; Dask repeats lost chunks."""
 
     def __init__(self, work: Work, address: str, count: int) -> None:
         _require_address(address)
@@ -59,7 +103,6 @@ class Cluster:
         self.pool = self.client.get_executor(pure=False)
 
     def submit(self, chunk: Chunk) -> RecordsOfCluster:
-        """Compute a chunk on a worker; raises CancelledError if the scheduler is lost."""
         try:
             return RecordsOfCluster(self.pool.submit(_compute, chunk, self.name), self)
         except self.closed:
@@ -82,15 +125,14 @@ class Cluster:
 
 
 def _require_address(address: str) -> None:
-    """Reject an address that is not a host with an optional port."""
     match = _ADDRESS.fullmatch(address)
     if not match or match["host"].isdigit() or not 0 < int(match["port"] or 1) < 2**16:
-        raise BatchError(f"no Dask scheduler at {quote(address)}: not as in tcp://host:8786")
+        raise BatchError(
+            f"{quote(address)} is not the address of a Dask scheduler, as in tcp://host:8786"
+        )
 
 
 class RecordsOfCluster:
-    """A future with the records of a chunk."""
-
     def __init__(self, future: Future[Sequence[bytes]], cluster: Cluster) -> None:
         self.future, self.cluster = future, cluster
 
