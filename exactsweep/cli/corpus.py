@@ -162,7 +162,7 @@ def paths_command(name: str | None, as_json: bool) -> None:
       exactsweep corpus paths paths-slot
       exactsweep corpus paths --json
     """
-    from exactsweep.corpus.paths import find_path_case, path_cases
+    from exactsweep.corpus.layouts import find_path_case, path_cases
 
     found = [*path_cases()] if name is None else [find_path_case(name)]
     if as_json or name is not None:

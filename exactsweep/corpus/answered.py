@@ -1,6 +1,6 @@
 """A pair of polygons with the exact answers."""
 
-from collections.abc import Iterator
+from collections.abc import Collection, Iterator
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
@@ -8,16 +8,60 @@ from itertools import chain
 from math import lcm
 from typing import Literal, get_args
 
-from exactsweep.corpus.representable import find_types
 from exactsweep.geometry.frame import Kind
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.geometry.region import AnyPolygon, Region
 from exactsweep.numbers.number import Fit, Loop, Point
 from exactsweep.sweep import Sweep, sweep
 
+INTEGER_BITS = {"int32": 32, "int64": 64}
+NUMBER_TYPES = (*INTEGER_BITS, "binary64")
+
+
+def find_types(values: Collection[Fraction], scale: int) -> frozenset[str]:
+    """List the number types that represent numbers exactly, integers after scaling.
+
+    >>> sorted(find_types([Fraction(1, 3)], 3)), sorted(find_types([Fraction(1, 3)], 2))
+    (['int32', 'int64'], [])
+    >>> sorted(find_types([Fraction(2**31)], 1))
+    ['binary64', 'int64']
+    """
+    held = set()
+    if all(scale % value.denominator == 0 for value in values):
+        scaled = [value.numerator * (scale // value.denominator) for value in values]
+        low, high = min(scaled, default=0), max(scaled, default=0)
+        held = {
+            name
+            for name, bits in INTEGER_BITS.items()
+            if is_in_range(low, bits) and is_in_range(high, bits)
+        }
+    if all(map(_is_binary64, values)):
+        held.add("binary64")
+    return frozenset(held)
+
+
+def is_in_range(value: Fraction | int, bits: int) -> bool:
+    """Decide whether a number is in the range of signed integers with this number of bits.
+
+    >>> is_in_range(-(2**31), 32), is_in_range(2**31 - 1, 32), is_in_range(2**31, 32)
+    (True, True, False)
+    """
+    return -(1 << bits - 1) <= value <= (1 << bits - 1) - 1
+
+
+def _is_binary64(value: Fraction) -> bool:
+    if value.denominator == 1 and abs(value.numerator) <= 2**53:
+        return True
+    # Division of ints rounds correctly.
+    try:
+        return Fraction(value.numerator / value.denominator) == value
+    except OverflowError:
+        return False
+
+
 Shapes = Literal["convex", "monotone", "simple", "any"]
+# Each kind of pairs includes those before it; "simple" means without holes.
 SHAPES: tuple[Shapes, ...] = get_args(Shapes)
-"""The kinds of pairs; each includes those before it. "simple": without holes."""
 _SHAPES_OF: dict[Kind, Shapes] = {
     "CC": "convex",
     "CM": "monotone",
@@ -28,78 +72,52 @@ _SHAPES_OF: dict[Kind, Shapes] = {
 
 @dataclass(frozen=True, kw_only=True)
 class AnsweredPair:
-    """A pair of polygons with the exact answers.
+    """A pair of polygons with the exact answers."""
 
-    Attributes:
-        directrix_ring: the exterior of D as given: an open tuple of Point, with the orientation,
-            collinear vertices and repeated vertices of the input.
-        generatrix_ring: the exterior of G as given.
-        reference: the reference point of G, whose path is the trajectory.
-        kind: "CC", "CM", "MM" or "SS".
-        trajectory: the exact trajectory, a Polygon.
-        inner: the exact inner loop, a Polygon.
-        outer: the exact outer loop, a Polygon.
-        exact_fits: the exact fits, as in `Sweep.exact_fits`.
-        area: the swept area.
-        directrix_holes: the holes of D as given.
-        generatrix_holes: the holes of G as given.
-        holes: the holes of the no-fit polygon, whose exterior is the trajectory.
-        unswept: additional holes of the swept area.
-        inner_regions: the regions of positions of G inside D; None if the case does not have them.
-            Cases of class "SS" and containers have them.
-        inner_exact_fits: the exact fits of G inside D.
-    """
-
-    directrix_ring: Loop
-    generatrix_ring: Loop
-    reference: Point
+    directrix_ring: Loop  # the exterior of D in its input form
+    generatrix_ring: Loop  # the exterior of G in its input form
+    reference: Point  # the point of G whose path is the trajectory
     kind: Kind
     trajectory: Polygon
     inner: Polygon
     outer: Polygon
-    exact_fits: tuple[Fit, ...]
-    area: Fraction
+    exact_fits: tuple[Fit, ...]  # as in `Sweep.exact_fits`
+    area: Fraction  # the swept area
     directrix_holes: tuple[Loop, ...] = ()
     generatrix_holes: tuple[Loop, ...] = ()
-    holes: tuple[Polygon, ...] = ()
-    unswept: tuple[Polygon, ...] = ()
-    inner_regions: tuple[Region, ...] | None = None
+    holes: tuple[Polygon, ...] = ()  # of the no-fit polygon, whose exterior is the trajectory
+    unswept: tuple[Polygon, ...] = ()  # additional holes of the swept area
+    inner_regions: tuple[Region, ...] | None = None  # of G inside D, for SS and containers
     inner_exact_fits: tuple[Fit, ...] = ()
 
     @property
     def directrix_rings(self) -> tuple[Loop, ...]:
-        """The exterior and the holes of D as given."""
         return (self.directrix_ring, *self.directrix_holes)
 
     @property
     def generatrix_rings(self) -> tuple[Loop, ...]:
-        """The exterior and the holes of G as given."""
         return (self.generatrix_ring, *self.generatrix_holes)
 
     @cached_property
     def directrix(self) -> AnyPolygon:
-        """D in canonical form; a Region if it has holes."""
         return make_shape(self.directrix_rings)
 
     @cached_property
     def generatrix(self) -> AnyPolygon:
-        """G in canonical form; a Region if it has holes."""
         return make_shape(self.generatrix_rings)
 
     def sweep(self) -> Sweep:
-        """Sweep the pair."""
         return sweep(self.generatrix, self.directrix, reference=self.reference)
 
     @property
     def shapes(self) -> Shapes:
-        """The least of SHAPES that includes the pair."""
+        """The first of SHAPES that includes the pair."""
         if self.directrix_holes or self.generatrix_holes:
             return "any"
         return _SHAPES_OF[self.kind]
 
     @property
     def size(self) -> int:
-        """The number of vertices of all rings as given."""
         return sum(map(len, (*self.directrix_rings, *self.generatrix_rings)))
 
     @cached_property
@@ -114,22 +132,18 @@ class AnsweredPair:
 
     @cached_property
     def answer_representable(self) -> frozenset[str]:
-        """The number types that represent the answer exactly, integers at `integer_scale`."""
         return find_types(list(self.list_answer()), self.integer_scale)
 
     def list_input(self) -> Iterator[Fraction]:
-        """List the coordinates of D, of G and of the reference point."""
         rings = *self.directrix_rings, *self.generatrix_rings, (self.reference,)
         return chain(*chain(*rings))
 
     def list_answer(self) -> Iterator[Fraction]:
-        """List the coordinates of all loops and exact fits of the answer."""
         loops = (self.trajectory, self.inner, self.outer, *self.holes, *self.unswept)
         rings = [shape.vertices for shape in (*loops, *(self.inner_regions or ()))]
         return chain(*chain(*rings, *self.exact_fits, *self.inner_exact_fits))
 
 
 def make_shape(rings: tuple[Loop, ...]) -> AnyPolygon:
-    """Return a Polygon, or a Region if there are holes."""
     exterior, *holes = rings
     return Region(exterior, holes) if holes else Polygon(exterior)

@@ -1,10 +1,8 @@
 """A case of the corpus: a pair with its exact answers and flags."""
 
-from __future__ import annotations
-
 from collections.abc import Iterable
 from dataclasses import dataclass, replace
-from typing import get_args
+from typing import Self, get_args
 
 from exactsweep.corpus.answered import AnsweredPair, make_shape
 from exactsweep.corpus.facts import find_facts
@@ -21,12 +19,12 @@ Given = AnyPolygon | Iterable[Iterable[object]]
 
 
 class CaseError(ExactSweepError):
-    """An invalid case; the message names the place."""
+    """An invalid case; the message states where."""
 
 
 @dataclass(frozen=True, kw_only=True)
 class Case(AnsweredPair):
-    """A pair of polygons with the exact answers, and a name.
+    """A named pair of polygons with the exact answers; HOW-TO-READ.md describes all fields.
 
     Attributes:
         id: the name of the case, whose meaning never changes.
@@ -57,7 +55,7 @@ class Case(AnsweredPair):
         generatrix_holes: Iterable[Given] = (),
         inner_fit: bool = False,
         note: str = "",
-    ) -> Case:
+    ) -> Self:
         """Make a case by sweeping the pair.
 
         Args:
@@ -68,7 +66,7 @@ class Case(AnsweredPair):
             reference: the reference point of G.
             flags: flags in addition to those of `find_facts`.
             directrix_holes: the holes of D, unless it is a Region.
-            generatrix_holes: the holes of G, if it is no Region.
+            generatrix_holes: the holes of G, unless it is a Region.
             inner_fit: whether to compute the positions of G inside D for any class.
             note: the origin of the case.
 
@@ -117,7 +115,6 @@ class Case(AnsweredPair):
 
 
 def read_given_rings(shape: Given, holes: Iterable[Given] = ()) -> tuple[Loop, ...]:
-    """Read the exterior and the holes of a shape by `given_ring`."""
     if isinstance(shape, Region):
         return shape.rings
     return (given_ring(shape), *map(given_ring, holes))

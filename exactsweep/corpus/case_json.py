@@ -1,14 +1,12 @@
-"""Cases as JSON data with numbers as strings, which are reduced rationals."""
-
-from __future__ import annotations
+"""Cases as JSON data, with numbers as strings that contain reduced rationals."""
 
 import json
 from collections.abc import Iterable, Mapping
 from fractions import Fraction
 from typing import Any
 
+from exactsweep.corpus.answered import NUMBER_TYPES
 from exactsweep.corpus.case import KINDS, Case, CaseError
-from exactsweep.corpus.representable import NUMBER_TYPES
 from exactsweep.formats.exact_json import describe_kind, read_point, read_vertices
 from exactsweep.formats.node import JsonNode
 from exactsweep.geometry.polygon import Polygon
@@ -22,14 +20,7 @@ from exactsweep.words import suggest
 
 @explain_type_errors
 def case_to_json(case: Case) -> dict[str, Any]:
-    """Write a case as a dict for `json.dump` in the format of `schema.json`.
-
-    Example:
-        >>> square = [(0, 0), ("1/2", 0), ("1/2", 1), (0, 1)]
-        >>> data = case_to_json(Case.of("mine-1", "a square around itself", square, square))
-        >>> data["directrix"][1], data["integer_scale"], data["expected"]["counts"]["outer"]
-        (['1/2', '0'], '2', 4)
-    """
+    """Write a case as a dict for `json.dump` in the format of `schema.json`."""
     expected: dict[str, Any] = {
         "trajectory": case.trajectory.vertices,
         "inner": case.inner.vertices,
@@ -84,13 +75,14 @@ def case_from_json(data: object) -> Case:
 
     Raises:
         CaseError: the data differs from the result of `case_to_json`, for example by numbers that
-            are not reduced or unknown members. The message starts with the path to the error.
+            are not reduced, or by unknown members. The message starts with the path to the error.
 
     Example:
-        >>> square = [(0, 0), (1, 0), (1, 1), (0, 1)]
+        >>> square = [(0, 0), ("1/2", 0), ("1/2", 1), (0, 1)]
         >>> case = Case.of("mine-1", "a square around itself", square, square)
-        >>> case_from_json(case_to_json(case)) == case
-        True
+        >>> data = case_to_json(case)
+        >>> data["directrix"][1], data["integer_scale"], case_from_json(data) == case
+        (['1/2', '0'], '2', True)
     """
     try:
         case = _read(JsonNode(data))
@@ -140,7 +132,6 @@ def _read(data: JsonNode) -> Case:
 
 
 def _given(ring: JsonNode) -> Loop:
-    """Read a ring as given; it must be a polygon."""
     points = read_vertices(*ring)
     with prefix_errors(ring.path):
         Polygon(points)
@@ -187,13 +178,13 @@ def _require_same(right: Any, found: JsonNode) -> None:
         raise CaseError(f"{found.path} is not {quote(right)}")
 
 
+# Permitted members that `case_to_json` omits.
 _DEFAULTS: dict[str, object] = {
     "version": 1,
     "note": "",
     "directrix_holes": [],
     "generatrix_holes": [],
 }
-"""Permitted members that `case_to_json` omits."""
 
 
 def _types(held: Iterable[str]) -> list[str]:
@@ -201,5 +192,4 @@ def _types(held: Iterable[str]) -> list[str]:
 
 
 def case_to_line(case: Case) -> str:
-    """Write a case as a JSON line."""
     return json.dumps(case_to_json(case), separators=(",", ":")) + "\n"

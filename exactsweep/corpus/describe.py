@@ -3,10 +3,10 @@
 from collections.abc import Iterator, Sequence
 from textwrap import fill
 
+from exactsweep.corpus.answered import NUMBER_TYPES
 from exactsweep.corpus.case import Case
 from exactsweep.corpus.generator import FAMILIES
 from exactsweep.corpus.names import require_known
-from exactsweep.corpus.representable import NUMBER_TYPES
 from exactsweep.corpus.shipped import find_case, list_ids, notes
 from exactsweep.numbers.digits import format_fraction
 from exactsweep.numbers.number import Point
@@ -17,9 +17,6 @@ _WIDTH = 100
 
 def describe(name: str) -> str:
     """Describe a case, a flag or a family of the generator by its name.
-
-    Raises:
-        UnknownNameError: the name is unknown; the message suggests a similar one.
 
     Example:
         >>> print(describe("huge"), end="")
@@ -69,7 +66,6 @@ def _case(case: Case) -> Iterator[str]:
 
 
 def _rings(name: str, rings: Sequence[Sequence[Point]]) -> Iterator[str]:
-    """Write an exterior with a name, and its holes."""
     for k, ring in enumerate(rings):
         yield _points("  hole" if k else name, ring)
 

@@ -1,4 +1,4 @@
-"""Export of cases as WKT, GeoJSON and SVG pictures; `case_json` writes JSON."""
+"""Cases as WKT, GeoJSON and SVG pictures; `case_json` writes JSON."""
 
 import csv
 import json
@@ -11,8 +11,8 @@ from math import isqrt
 from typing import Any, NamedTuple
 
 from exactsweep.canvas.scale import Scale
+from exactsweep.corpus.answered import find_types
 from exactsweep.corpus.case import Case
-from exactsweep.corpus.representable import find_types
 from exactsweep.draw.notebook import draw_sweep
 from exactsweep.draw.sweeps import trace_anchor
 from exactsweep.formats.error import FormatError
@@ -26,15 +26,12 @@ _WIDTH, _HEIGHT = 440, 370
 
 
 class CaseFigure(NamedTuple):
-    """A polygon of a case with open rings, or a segment of positions as a ring."""
-
     name: str
     closed: bool
     rings: Sequence[Sequence[Point]]
 
 
 def list_figures(case: Case) -> Iterator[CaseFigure]:
-    """Yield the polygons and segments of the input and the expected answer of a case."""
     yield CaseFigure("directrix", True, case.directrix_rings)
     yield CaseFigure("generatrix", True, case.generatrix_rings)
     yield CaseFigure("trajectory", True, case.trajectory.rings)
@@ -56,14 +53,13 @@ def list_figures(case: Case) -> Iterator[CaseFigure]:
 def cases_to_wkt(cases: Iterable[Case]) -> Iterator[str]:
     """Yield the lines of a CSV table with one polygon or segment per row.
 
-    The columns are the case's id, the figure's name, the WKT, and the reason if it is missing: WKT
-    has only decimals, so it cannot represent 1/3.
+    The columns are the id of the case, the name of the figure, its WKT, and the reason if that is
+    missing: WKT has only decimals, so it cannot represent 1/3.
 
-    Example:
-        >>> from exactsweep.corpus import find_case
-        >>> print(*list(cases_to_wkt([find_case("fits-square")]))[4:6], sep="", end="")
-        fits-square,inner,"POLYGON ((0 0, 3 0, 3 3, 0 3, 0 0))",
-        fits-square,outer,"POLYGON ((-1 -1, 4 -1, 4 4, -1 4, -1 -1))",
+    >>> from exactsweep.corpus import find_case
+    >>> print(*list(cases_to_wkt([find_case("fits-square")]))[4:6], sep="", end="")
+    fits-square,inner,"POLYGON ((0 0, 3 0, 3 3, 0 3, 0 0))",
+    fits-square,outer,"POLYGON ((-1 -1, 4 -1, 4 4, -1 4, -1 -1))",
     """
     yield _row("case", "figure", "wkt", "missing because")
     for case in cases:
@@ -95,11 +91,10 @@ def cases_to_geojson(cases: Iterable[Case]) -> Iterator[str]:
     is null beyond their range, and "vertices" has the exact vertices as strings, in a list of rings
     if there are holes.
 
-    Example:
-        >>> from exactsweep.corpus import find_case
-        >>> text = "".join(cases_to_geojson([find_case("worked-roof")]))
-        >>> [f["properties"]["figure"] for f in json.loads(text)["features"]][:2]
-        ['directrix', 'generatrix']
+    >>> from exactsweep.corpus import find_case
+    >>> text = "".join(cases_to_geojson([find_case("worked-roof")]))
+    >>> [f["properties"]["figure"] for f in json.loads(text)["features"]][:2]
+    ['directrix', 'generatrix']
     """
     yield '{"type":"FeatureCollection","features":['
     separator = "\n"
@@ -143,10 +138,9 @@ def _geometry(closed: bool, rings: Sequence[Sequence[Point]]) -> dict[str, Any]:
 def cases_to_svg(cases: Iterable[Case]) -> Iterator[str]:
     """Yield the text of an SVG image with a picture of each case.
 
-    Example:
-        >>> from exactsweep.corpus import find_case
-        >>> "".join(cases_to_svg([find_case("fits-square")])).count("<title>CM sweep of 4 around 8")
-        1
+    >>> from exactsweep.corpus import find_case
+    >>> "".join(cases_to_svg([find_case("fits-square")])).count("<title>CM sweep of 4 around 8")
+    1
     """
     drawn = list(cases)
     columns = isqrt(max(0, len(drawn) - 1)) + 1

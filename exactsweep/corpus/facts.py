@@ -1,14 +1,11 @@
 """Flags computed from a pair and its answer."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Iterator, Sequence
 from fractions import Fraction
 from itertools import chain, pairwise
 
 from exactsweep.check import classify
-from exactsweep.corpus.answered import AnsweredPair
-from exactsweep.corpus.representable import INTEGER_BITS, find_types, is_in_range
+from exactsweep.corpus.answered import INTEGER_BITS, AnsweredPair, find_types, is_in_range
 from exactsweep.geometry.canonical import find_doubled_area
 from exactsweep.geometry.direction import Vector
 from exactsweep.geometry.polygon import Polygon
@@ -25,14 +22,11 @@ MANY = 256
 def find_facts(case: AnsweredPair) -> set[str]:
     """Compute the flags of a pair, which `exactsweep.corpus.notes` explains.
 
-    Cost: O((m + n) log(m + n)), plus the sweep and `classify`.
-
-    Example:
-        >>> from exactsweep.corpus import Case
-        >>> square = [(0, 0), (1, 0), (1, 1), (0, 1)]
-        >>> case = Case.of("mine-1", "a square around itself", square, square)
-        >>> sorted(find_facts(case))
-        ['identical', 'inverse', 'parallel-edges', 'vertical-edge']
+    >>> from exactsweep.corpus import Case
+    >>> square = [(0, 0), (1, 0), (1, 1), (0, 1)]
+    >>> case = Case.of("mine-1", "a square around itself", square, square)
+    >>> sorted(find_facts(case))
+    ['identical', 'inverse', 'parallel-edges', 'vertical-edge']
     """
     given = case.directrix_rings, case.generatrix_rings
     return {
@@ -43,24 +37,16 @@ def find_facts(case: AnsweredPair) -> set[str]:
     }
 
 
-def _repeats(rings: PointRings) -> bool:
-    return any(p == q for ring in rings for p, q in _edges(ring))
-
-
 def _collinear(rings: PointRings) -> bool:
     return any(len(Polygon(ring)) < sum(p != q for p, q in _edges(ring)) for ring in rings)
 
 
 _SPELLING: dict[str, Callable[[PointRings], bool]] = {
     "clockwise": lambda rings: find_doubled_area(rings[0]) < 0,
-    "repeated-vertex": _repeats,
+    "repeated-vertex": lambda rings: any(p == q for ring in rings for p, q in _edges(ring)),
     "collinear-vertex": _collinear,
     "hole": lambda rings: len(rings) > 1,
 }
-
-
-def _inverse(case: AnsweredPair) -> bool:
-    return _at_origin(case.generatrix.reflected()) == _at_origin(case.directrix)
 
 
 def _at_origin(shape: AnyPolygon) -> AnyPolygon:
@@ -79,7 +65,7 @@ def _is_long(case: AnsweredPair) -> bool:
 
 _ANSWER: dict[str, Callable[[AnsweredPair], bool]] = {
     "identical": lambda case: _at_origin(case.generatrix) == _at_origin(case.directrix),
-    "inverse": _inverse,
+    "inverse": lambda case: _at_origin(case.generatrix.reflected()) == _at_origin(case.directrix),
     "touching": lambda case: classify(case.directrix, case.generatrix, (0, 0)).verdict == "CONTACT",
     "turned": lambda case: case.kind != "SS" and case.sweep().direction != (1, 0),
     "undercut": lambda case: case.inner.vertices != case.directrix.rings[0],
@@ -113,7 +99,8 @@ def _sizes(case: AnsweredPair) -> Iterator[str]:
         yield "product-rounding"
     if max(map(abs, case.list_input())) > HUGE:
         yield "huge"
-    if min(abs(c) for p, q in _all_edges(case) for c in (q.x - p.x, q.y - p.y) if c) < TINY:
+    edges = chain.from_iterable(map(_edges, _list_rings(case)))
+    if min(abs(c) for p, q in edges for c in (q.x - p.x, q.y - p.y) if c) < TINY:
         yield "tiny"
 
 
@@ -158,12 +145,7 @@ def _directions(rings: PointRings) -> set[Vector]:
 
 
 def _near(u: Vector, v: Vector) -> bool:
-    """Decide whether two different directions differ by less than one part in 10**14."""
     return 0 < cross(u, v) ** 2 < NEAR**2 * (u[0] ** 2 + u[1] ** 2) * (v[0] ** 2 + v[1] ** 2)
-
-
-def _all_edges(case: AnsweredPair) -> Iterator[tuple[Point, Point]]:
-    return chain.from_iterable(map(_edges, _list_rings(case)))
 
 
 def _edges(ring: Sequence[Point]) -> Iterator[tuple[Point, Point]]:

@@ -11,12 +11,11 @@ class UnknownNameError(ExactSweepError):
 
 
 def require_known(name: str, names: Collection[str], thing: str) -> str:
-    """Return a name if it is known, or raise UnknownNameError.
+    """Return a name if it is known; otherwise suggest another one.
 
-    Example:
-        >>> require_known("exact-fits", ["exact-fit", "undercut"], "flag")
-        Traceback (most recent call last):
-        exactsweep.corpus.names.UnknownNameError: no flag 'exact-fits'; did you mean 'exact-fit'?
+    >>> require_known("exact-fits", ["exact-fit", "undercut"], "flag")
+    Traceback (most recent call last):
+    exactsweep.corpus.names.UnknownNameError: no flag 'exact-fits'; did you mean 'exact-fit'?
     """
     if name in names:
         return name

@@ -1,6 +1,4 @@
-"""Pairs of polygons in files as cases with computed answers."""
-
-from __future__ import annotations
+"""Pairs of polygons in files, as cases with computed answers."""
 
 import io
 import json
@@ -13,15 +11,9 @@ from exactsweep.corpus.case import Case
 from exactsweep.corpus.case_json import case_from_json
 from exactsweep.corpus.selection import read_lines
 from exactsweep.corpus.shipped import find_case
-from exactsweep.formats import FormatError, read_text, show_path
+from exactsweep.formats import FormatError, exact_json, read_text, show_path
 from exactsweep.formats.candidate import Candidate
 from exactsweep.formats.choice import choose
-from exactsweep.formats.exact_json import (
-    describe_kind,
-    parse_certificate,
-    parse_json,
-    read_vertices,
-)
 from exactsweep.formats.files import open_bytes
 from exactsweep.formats.json_polygons import find_candidates
 from exactsweep.formats.parsing import parse_candidates
@@ -33,13 +25,14 @@ from exactsweep.words import suggest
 
 
 class _PairForm(NamedTuple):
-    """The members of a JSON document with a pair: D, G, and others."""
+    """Names of the members of a JSON document with a pair."""
 
     stays: str
     moves: str
     others: tuple[str, ...]
 
 
+# A case, a line of the protocol or `sweep --json`; `nfp --json`; `ifp --json`; `sum --json`.
 _FORMS = (
     _PairForm(
         "directrix",
@@ -54,26 +47,15 @@ _FORMS = (
     _PairForm("container", "part", ("placed", "regions", "exact_fits", "area")),
     _PairForm("a", "b", ("exterior", "holes", "area", "a_holes", "b_holes")),
 )
-"""A case, a line of the protocol or `sweep --json`; `nfp --json`; `ifp --json`; `sum --json`."""
 
 
 def read_pairs(path: str, tolerance: object = None, **options: Unpack[Options]) -> Iterator[Case]:
-    """Read pairs of polygons as cases.
+    """Read pairs of polygons as cases, from a file or, if the path is "-", standard input.
 
-    Args:
-        path: a file, or "-" for standard input. It has JSON lines as for `read_case`, one such
-            object over several lines, or polygons in any format of `parse_regions`, of which all
-            ordered pairs are cases.
-        tolerance: passed to `parse_regions`.
-        options: passed to `parse_regions`.
-
-    Yields:
-        Cases with the ids of the lines, or "pair-NUMBER" by line, or the two names or indices of
-        polygons, D first, as in "plate/disc".
-
-    Raises:
-        ValueError: the file is unreadable, or `sweep` rejects a pair; the message names the file
-            and the line.
+    The file has JSON lines as for `read_case`, one such object over several lines, or polygons in
+    any format of `parse_regions`, of which all ordered pairs are cases. The id of a case is that of
+    its line, or "pair-NUMBER" by line, or the two names or indices of the polygons, D first, as in
+    "plate/disc". The tolerance and the options are those of `parse_regions`.
     """
     if path == "-":
         # The text is parsed twice.
@@ -84,19 +66,11 @@ def read_pairs(path: str, tolerance: object = None, **options: Unpack[Options]) 
 
 
 def read_case(name: str) -> Case:
-    """Read a case.
+    """Read a case from a file, from standard input ("-"), or by its id, shipped or generated.
 
-    Args:
-        name: the path of a file, "-" for standard input, or the id of a shipped or generated case.
-            The file has a case as for `case_from_json`, the --json output of `sweep`, `nfp`, `ifp`
-            or `sum`, or an object with "directrix", "generatrix" and optional members of a case,
-            polygons as for `parse_region`.
-
-    Returns:
-        The Case; its default id is the name of the file.
-
-    Raises:
-        ValueError: the file has no case; the message names the file.
+    A file has a case as for `case_from_json`, the --json output of `sweep`, `nfp`, `ifp` or `sum`,
+    or an object with "directrix", "generatrix" and optional members of a case, polygons as for
+    `parse_region`. The default id is the name of the file.
     """
     if name != "-" and not Path(name).exists():
         return find_case(name)
@@ -127,7 +101,6 @@ def _read(
 
 
 def _is_pair(text: str | bytes) -> bool:
-    """Decide whether text looks like a pair, valid or not."""
     try:
         document = json.loads(text)
     except (ValueError, RecursionError):
@@ -138,12 +111,11 @@ def _is_pair(text: str | bytes) -> bool:
 
 
 def _read_document(text: str, name: str) -> Case:
-    """Read a case or a pair with a default id."""
-    document = parse_json(text)
+    document = exact_json.parse_json(text)
     if not isinstance(document, dict):
-        raise FormatError(f"$ is {describe_kind(document)}, not an object")
+        raise FormatError(f"$ is {exact_json.describe_kind(document)}, not an object")
     if "expected" in document:
-        return case_from_json(parse_certificate(text))
+        return case_from_json(exact_json.parse_certificate(text))
     return _make_pair(document, name)
 
 
@@ -163,8 +135,8 @@ def _make_pair(document: dict[str, object], name: str) -> Case:
         raise FormatError("$.placed: a case cannot have placed shapes")
     id = document.get("id", name)
     if not isinstance(id, str):
-        raise FormatError(f"$.id is {describe_kind(id)}, not a string or a number")
-    (reference,) = read_vertices([document.get("reference", ["0", "0"])], "$.reference")
+        raise FormatError(f"$.id is {exact_json.describe_kind(id)}, not a string or a number")
+    (reference,) = exact_json.read_vertices([document.get("reference", ["0", "0"])], "$.reference")
     d, g = (_read_shape(document, role) for role in (form.stays, form.moves))
     if form.moves == "b":
         g = [[Point(-x, -y) for x, y in ring] for ring in g]
@@ -180,10 +152,13 @@ def _read_shape(document: dict[str, object], role: str) -> PointRings:
     key = f"{role}_holes"
     holes = document.get(key, [])
     if not isinstance(holes, list):
-        raise FormatError(f"$.{key} is {describe_kind(holes)}, not a list of holes")
+        raise FormatError(f"$.{key} is {exact_json.describe_kind(holes)}, not a list of holes")
     if holes and len(rings) > 1:
         raise FormatError(f"$.{key}: {role} has holes of its own")
-    return [*rings, *(read_vertices(hole, f"$.{key}[{k}]") for k, hole in enumerate(holes))]
+    return [
+        *rings,
+        *(exact_json.read_vertices(hole, f"$.{key}[{k}]") for k, hole in enumerate(holes)),
+    ]
 
 
 def _make_case(
@@ -208,7 +183,6 @@ def _make_case(
 
 
 def _read_rings(candidate: Candidate, name: str) -> PointRings:
-    """Read a polygon and its holes, with the vertices as given."""
     with prefix_errors(name, FormatError):
         candidate.shape()
         return [candidate.vertices(), *(hole.vertices() for hole in candidate.holes())]

@@ -10,23 +10,16 @@ from pathlib import Path
 from exactsweep.corpus.case_json import case_to_json
 from exactsweep.corpus.shipped import cases, read_schema, themes
 
-VERSION = 3
-"""The version of the corpus. New cases increase it; existing cases never change."""
+VERSION = 3  # new cases increase it; existing cases never change
+# The digested members of a case: the question and the answers.
 _ANSWERED = (
     *("id", "class", "directrix", "directrix_holes", "generatrix", "generatrix_holes"),
     *("reference", "expected"),
 )
-"""The digested members of a case: the question and the answers."""
 
 
 def write_corpus(folder: Path) -> int:
-    """Write all shipped cases, instructions and readers; return the number of files.
-
-    Existing files are replaced.
-
-    Raises:
-        OSError: a file cannot be written.
-    """
+    """Write all shipped cases, instructions and readers; return the number of files."""
     sums = []
     for name, data in _list_files():
         path = folder / name
@@ -38,10 +31,7 @@ def write_corpus(folder: Path) -> int:
 
 
 def digest_release(version: int) -> str:
-    """Return the SHA-256 of all questions and answers up to a version, for `release/versions.json`.
-
-    It covers sorted JSON lines without spaces, with the members `_ANSWERED`, sorted by name.
-    """
+    """Return the digest of all questions and answers up to a version; see HOW-TO-READ.md."""
     lines = sorted(
         json.dumps(
             {name: value for name, value in case_to_json(case).items() if name in _ANSWERED},

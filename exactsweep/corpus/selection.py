@@ -1,7 +1,5 @@
 """Selection of cases, from the corpus or a file."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Iterable, Iterator
 from typing import Any, BinaryIO
 
@@ -22,16 +20,12 @@ class SelectionError(ExactSweepError):
 
 
 def read_filters(filters: Iterable[str]) -> dict[str, Any]:
-    """Read filters id=PREFIX, flag=FLAG, class=CC, size=MOST as arguments of `cases` and `select`.
+    """Read filters id=PREFIX, flag=FLAG, class=CC, size=MAX as arguments of `cases` and `select`.
 
-    A case matches any of the prefixes and classes, and all flags.
+    A case must match one of the prefixes, one of the classes, and all flags.
 
-    Raises:
-        SelectionError: a filter is unknown or invalid.
-
-    Example:
-        >>> read_filters(["flag=exact-fit", "size=20"])
-        {'flags': ['exact-fit'], 'max_size': 20}
+    >>> read_filters(["flag=exact-fit", "size=20"])
+    {'flags': ['exact-fit'], 'max_size': 20}
     """
     found: dict[str, Any] = {}
     for text in filters:
@@ -59,7 +53,6 @@ def select(
     kind: str | Iterable[str] | None = None,
     max_size: int | None = None,
 ) -> Iterator[Case]:
-    """Filter cases by the arguments of `cases`."""
     prefixes, kinds, wanted = to_names(prefix), to_names(KINDS if kind is None else kind), {*flags}
     for case in cases:
         if (
@@ -72,7 +65,6 @@ def select(
 
 
 def require_distinct(cases: Iterable[Case]) -> Iterator[Case]:
-    """Yield cases; raise SelectionError for a repeated id."""
     seen = set()
     for case in cases:
         if case.id in seen:
@@ -82,11 +74,6 @@ def require_distinct(cases: Iterable[Case]) -> Iterator[Case]:
 
 
 def read_cases(path: str) -> Iterator[Case]:
-    """Yield the cases in a file of JSON lines, or in standard input for "-".
-
-    Raises:
-        FormatError: a line is no case; the message names the file and the line.
-    """
     with open_bytes(path) as file:
         yield from read_lines(
             file, path, lambda number, line: case_from_json(parse_certificate(line))
@@ -94,11 +81,7 @@ def read_cases(path: str) -> Iterator[Case]:
 
 
 def read_lines(file: BinaryIO, path: str, read: Callable[[int, str], Case]) -> Iterator[Case]:
-    """Yield a case for each line that is not blank; `read` takes its number and text.
-
-    Raises:
-        FormatError: a line is no case; the message names the path and the line.
-    """
+    """Yield a case for each line that is not blank; `read` takes its number and text."""
     for number, line in enumerate(split_lines(file), 1):
         if line.isspace():
             continue

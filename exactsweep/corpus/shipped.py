@@ -17,7 +17,7 @@ from exactsweep.numbers.error import explain_type_errors
 
 @explain_type_errors
 def themes() -> dict[str, str]:
-    """List the themes with their titles.
+    """Return the titles of the themes by name.
 
     The id of a case starts with the name of its theme and a hyphen.
 
@@ -39,9 +39,9 @@ def cases(
     """Yield the shipped cases, theme by theme.
 
     Args:
-        prefix: one or several id prefixes, such as the name of a theme and a hyphen.
+        prefix: an id prefix, such as the name of a theme and a hyphen, or several prefixes.
         flags: the required flags.
-        kind: one or several of "CC", "CM", "MM" and "SS".
+        kind: "CC", "CM", "MM" or "SS", or several of them.
         max_size: the maximum number of vertices of D and G.
 
     Raises:
@@ -64,12 +64,6 @@ class Summary(NamedTuple):
 
 
 def list_summaries(**filters: Any) -> Iterator[Summary]:
-    """Yield the summaries of cases by the filters of `cases`.
-
-    Example:
-        >>> next(list_summaries(prefix="fits-")).title
-        'A square into a slot as wide'
-    """
     for data in _match(**filters):
         yield Summary(data["id"], data["class"], _size(data), data["title"])
 
@@ -96,7 +90,7 @@ def _match(
 
 
 def to_names(given: str | Iterable[str]) -> tuple[str, ...]:
-    """Make a tuple of one or several names; raise TypeError if one is no str.
+    """Convert a name or several names to a tuple.
 
     >>> to_names("CC"), to_names(["CC", "CM"])
     (('CC',), ('CC', 'CM'))
@@ -112,19 +106,7 @@ def _size(data: dict[str, Any]) -> int:
     return sum(map(len, (data["directrix"], data["generatrix"], *holes)))
 
 
-def find_shipped_case(id: str) -> Case:
-    """Find a shipped case by its id, or raise UnknownNameError.
-
-    Example:
-        >>> find_shipped_case("figures-10-2-4-6").title
-        'Figure 10: one tooth, two peaks and a tip of four flat edges'
-    """
-    require_known(id, list_ids(), "case")
-    return case_from_json(next(data for data in _entries((id,)) if data["id"] == id))
-
-
 def list_ids() -> list[str]:
-    """List the ids of the shipped cases."""
     return [data["id"] for data in _entries(("",))]
 
 
@@ -134,7 +116,7 @@ def read_schema() -> str:
 
 
 def require_start(name: str, *others: str) -> str:
-    """Return a prefix of at least one id, or raise UnknownNameError with a suggestion."""
+    """Require that some id has a prefix; otherwise suggest another one."""
     ids = list_ids()
     if not any(id.startswith(name) for id in ids):
         require_known(name, [*others, *themes(), *ids], "theme or case")
@@ -160,7 +142,6 @@ def _theme(name: str) -> Any:
 
 
 def read_theme(folder: Traversable, name: str) -> str:
-    """Read the file of a theme: NAME.json, or NAME.json.xz if it is large."""
     plain = folder.joinpath(f"{name}.json")
     if plain.is_file():
         return plain.read_text(encoding="utf-8")
@@ -169,13 +150,16 @@ def read_theme(folder: Traversable, name: str) -> str:
 
 @explain_type_errors
 def find_case(id: str) -> Case:
-    """Find a shipped or generated case by its id, or raise UnknownNameError.
+    """Find a shipped or generated case by its id; raise UnknownNameError if there is none.
 
     Example:
         >>> find_case("gen-convex-1-0").kind
         'CC'
     """
-    return generate_case(id) if id.startswith("gen-") else find_shipped_case(id)
+    if id.startswith("gen-"):
+        return generate_case(id)
+    require_known(id, list_ids(), "case")
+    return case_from_json(next(data for data in _entries((id,)) if data["id"] == id))
 
 
 class Note(NamedTuple):
@@ -198,6 +182,5 @@ def notes() -> dict[str, Note]:
 
 @cache
 def read_shipped(name: str) -> Any:
-    """Read a JSON file of the package by its name without suffix."""
     text = files("exactsweep.corpus").joinpath(f"{name}.json").read_text(encoding="utf-8")
     return json.loads(text)

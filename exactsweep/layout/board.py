@@ -267,7 +267,6 @@ class Board:
 
 
 def _enlarge(solid: Solid, unit: int) -> LatticeBox:
-    """Return the box of a solid at a scale, enlarged by its slack."""
     left, right, low, high = solid.box
     if solid.scale == unit and not solid.slack:
         return left, right, low, high

@@ -117,7 +117,6 @@ def _part_obstacles(board: Board, bits: int) -> Iterator[list[Any] | None]:
 
 
 def _name_obstacles(board: Board) -> list[tuple[int, int]]:
-    """Return the number of each obstacle in certificates, and the index of its first piece."""
     number = _count_outside(board)
     counts = (len(wall.form.pieces) for wall in board.around[: number - 1])
     # The outside of the container, including its holes, is -1; defect k is -2 - k.
@@ -241,7 +240,6 @@ def drop_repeated(ring: Sequence[Point]) -> list[Point]:
 
 
 def _list_inner(edges: Sequence[Fit]) -> Iterator[Point]:
-    """Yield the midpoint of each piece of a nonhorizontal edge between intersections."""
     meetings = [{*edge} for edge in edges]
     boxes = [(min(a.x, b.x), max(a.x, b.x), min(a.y, b.y), max(a.y, b.y)) for a, b in edges]
     for k, j in find_near(boxes):

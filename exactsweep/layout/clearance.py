@@ -117,7 +117,6 @@ def _leave(found: HullDistance, radii: Rational, scale: int, pieces: tuple[int, 
 
 
 def find_clearance(a: Solid, b: Solid, within: Fraction | None = None) -> Clearance | None:
-    """Find the least of the `list_clearances`."""
     best: Clearance | None = None
     for one in list_clearances(a, b, within):
         if best is None or one.is_less(best):

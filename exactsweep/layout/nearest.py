@@ -81,8 +81,6 @@ def _is_far(line: Edge, edge: Edge, n: Rational, d: Rational) -> bool:
 
 
 class NearestPair(NamedTuple):
-    """Two placements whose parts are nearest."""
-
     square: Fraction  # rounded up with relative error at most 2^-63 if irrational
     placements: tuple[int, int]
     points: tuple[Point, ...]  # the nearest ones; for overlapping parts, a point inside both

@@ -231,7 +231,6 @@ def enlarge(region: Region, radius: Fraction) -> Region:
 def _shorten(
     move: Point, is_free: Callable[[Point], bool], digits: Sequence[int] = _DIGITS
 ) -> Point:
-    """Shorten a move by bisection while it is free, and round it to few digits."""
     if not is_free(move):
         return move
     low, high = Fraction(0), Fraction(1)

@@ -129,7 +129,6 @@ def bound_root(square: Fraction, bits: int) -> tuple[Fraction, Fraction]:
 
 
 def sign_square(length: Rational) -> Rational:
-    """Square a number and keep its sign, which is monotone."""
     return length * length if length >= 0 else -length * length
 
 

@@ -24,8 +24,6 @@ _BITS, _DIGITS = 128, 30
 
 
 class ProvedSlack(NamedTuple):
-    """The slack of a valid layout."""
-
     layout: Layout  # with the shrunk container
     scale: Fraction  # of the container, at most 1
     center: Point  # the fixed point: a corner of a polygon, the center of a disc

@@ -138,7 +138,6 @@ class Solid(NamedTuple):
         return left + x, right + x, low + y, high + y  # type: ignore[return-value]
 
     def on(self, scale: int) -> Self:
-        """Return the solid on a finer lattice, whose scale is a multiple of this one."""
         factor = scale // self.scale
         if factor == 1:
             return self
@@ -189,7 +188,6 @@ def make_rounded_form(
 
 
 def put_on_lattice(value: Fraction, scale: int) -> int:
-    """Multiply a number by the scale of its lattice."""
     n, d = value.as_integer_ratio()
     whole, rest = divmod(scale, d)
     # A number off the lattice remains a Fraction.

@@ -33,8 +33,6 @@ _SHARE = 1000
 
 
 class PairVerdict(NamedTuple):
-    """The relation of two solids."""
-
     meeting: Relation | None  # None if undecided
     gap: SquaredDistance | None  # if less than required; rounded up by 2^-63 for rounded solids
     too_close: bool | None  # whether it is less than required; None if undecided

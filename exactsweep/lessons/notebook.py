@@ -1,7 +1,5 @@
 """Notebooks without Jupyter: reading, running and writing."""
 
-from __future__ import annotations
-
 import ast
 import io
 import json

@@ -1,7 +1,5 @@
 """Lessons as HTML pages, with their code and stored output."""
 
-from __future__ import annotations
-
 from exactsweep.lessons.notebook import read_notebook
 from exactsweep.numbers.error import explain_type_errors
 

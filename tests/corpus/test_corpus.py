@@ -14,8 +14,8 @@ from shipped_cases import shipped_cases
 from tiers import few_or_all
 
 from exactsweep.corpus import Case, cases, notes, themes
+from exactsweep.corpus.answered import find_types
 from exactsweep.corpus.case import KINDS
-from exactsweep.corpus.representable import find_types
 from exactsweep.corpus.shipped import read_schema, read_theme
 
 SCHEMA = json.loads(read_schema())

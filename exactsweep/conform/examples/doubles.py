@@ -81,7 +81,6 @@ def cross(u: complex, v: complex) -> float:
 
 
 def list_edges(shape: ComplexRings) -> list[ComplexLine]:
-    """List the edges of all rings."""
     return [(ring[k - 1], p) for ring in shape for k, p in enumerate(ring)]
 
 
@@ -162,8 +161,6 @@ def join(pieces: set[ComplexLine]) -> Contours:
 
 
 def answer(case: dict[str, Any]) -> dict[str, Any]:
-    """Answer all questions of a case."""
-
     def read(name: str) -> Contours:
         rings = [case[name], *case.get(f"{name}_holes", [])]
         return [[(float(x), float(y)) for x, y in ring] for ring in rings]

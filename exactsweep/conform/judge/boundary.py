@@ -24,8 +24,6 @@ _LineKey = tuple[Fraction | None, Fraction]
 
 
 class RingBoundary(NamedTuple):
-    """The edges of some rings, joined along lines."""
-
     solid: tuple[Fit, ...]  # maximal segments that an odd number of edges cover
     through: tuple[Loop, ...]  # the vertices inside each solid segment
     doubled: tuple[Fit, ...]  # maximal segments covered an even number of times; rings of one point

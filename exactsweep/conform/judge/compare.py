@@ -147,7 +147,6 @@ def _list_parts(
 
 
 def judge_loop(case: Case, name: str, loop: AnsweredLoop, rounding: Fraction) -> JudgedLoop:
-    """Compare an answered loop with the exact one."""
     exact = list_exact_rings(case, name)
     if _have_same_vertices(loop.rings, exact):
         return _same(name, Verdict.EXACT), ()

@@ -52,7 +52,6 @@ class _DiagnosedRings(NamedTuple):
 
     @property
     def reference(self) -> Point:
-        """The reference point of G; the origin for a Minkowski sum."""
         return ORIGIN if self.name == SUM else self.case.reference
 
     def are(self, others: PointRings, times: int = 1) -> bool:
@@ -161,7 +160,7 @@ def _other_loops(theirs: _DiagnosedRings) -> Iterator[str]:
 
 
 def _other_positions(theirs: _DiagnosedRings) -> list[str]:
-    """List mistakes that explain the answer up to translation, most likely first."""
+    """List the mistakes that explain the answer up to translation, most likely first."""
     case, rings = theirs.case, theirs.exact
     positions = _map(rings, 1, 0, 0, 1, subtract(ORIGIN, theirs.reference))
     shapes: list[tuple[str, PointRings]] = [("", positions)]
@@ -211,7 +210,6 @@ _AXES = {
 
 
 def _map(rings: PointRings, a: int, b: int, c: int, d: int, by: Point = ORIGIN) -> PointRings:
-    """Map rings by a matrix and a translation, counter-clockwise."""
     image = [[Point(a * x + b * y + by.x, c * x + d * y + by.y) for x, y in r] for r in rings]
     return image if a * d > b * c else [ring[::-1] for ring in image]
 
@@ -223,7 +221,7 @@ def _add(case: Case, name: str) -> PointRings:
 
 
 def _name_offsets(theirs: _DiagnosedRings, offset: Point) -> Iterator[str]:
-    """Name the points of G at an offset from G's origin."""
+    """Name the points of G at an offset from its origin."""
     case = theirs.case
     if theirs.name == SUM:
         if is_near(ORIGIN, offset, theirs.rounding):

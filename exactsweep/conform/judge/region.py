@@ -50,7 +50,6 @@ class Trapezoid(NamedTuple):
         )
 
     def points(self) -> Iterator[Point]:
-        """Yield nine interior points with short coordinates."""
         width = self.right - self.left
         for a, b in _PARTS:
             x = find_simplest(self.left + a * width, self.left + b * width)
@@ -99,7 +98,6 @@ def find_differences(first: PointRings, second: PointRings) -> Iterator[Trapezoi
 
 
 def _cut(edges: list[_RegionEdge]) -> Iterator[tuple[Fraction, Fraction, Ordered]]:
-    """Yield slabs without vertices and crossings inside, with their edges from below."""
     edges.sort()
     cuts = sorted({x for edge in edges for x in (edge.left.x, edge.right.x)})
     active: list[_RegionEdge] = []

@@ -93,7 +93,6 @@ def _print(c: Fraction, form: str) -> Fraction:
 
 
 def to_double(c: Fraction) -> Fraction:
-    """Round to the nearest double; keep numbers beyond the greatest double."""
     return Fraction(float(c)) if abs(c) < BEYOND else c
 
 

@@ -17,24 +17,10 @@ from exactsweep.words import count
 
 
 class Verdict(StrEnum):
-    """The verdicts from best to worst; an answer gets the worst verdict of its parts.
+    """The verdicts from best to worst; VERDICTS.md defines them.
 
-    E is the region inside the exact loop and T the region inside the answered one; a point is
-    inside if the rings have an odd winding number.
-
-    - exact: the vertices of the exact loop, counter-clockwise, starting at any of them.
-    - equivalent: T = E with other vertices.
-    - equivalent except for exact fits: exact fits are missing, too short or rounded.
-    - within: T equals E up to rounding, as defined in `closeness`.
-    - false exact fits: an answered exact fit has a position that is on no exact fit.
-    - conservative: T contains E. An answered trajectory permits no overlap, but forbids free
-      positions.
-    - unsound: E contains T. An answered trajectory permits overlap.
-    - wrong: neither region contains the other, or they differ and have too many edges to compare.
-    - malformed: unreadable or missing; or T is neither E nor a rounded E, and its rings cross,
-      overlap or enclose nothing, or trace a line twice that is no exact fit and connects no rings.
-    - timeout, memory, crash, unsupported: there is no answer.
-    - undecided: the comparison took too long.
+    An answer gets the worst verdict of its parts. E is the region inside the exact loop and T the
+    region inside the answered one; a point is inside if the rings have an odd winding number.
 
     Example:
         >>> max(Verdict.EXACT, Verdict.WITHIN, key=lambda verdict: verdict.severity).value
@@ -239,5 +225,4 @@ def _list(value: object, path: str, what: str) -> Sequence[object]:
 
 
 def name_kind(value: object) -> str:
-    """Name the type of any value that a Python function may return."""
     return describe_kind(value) if isinstance(value, (dict, list, str, bool)) else quote(value)

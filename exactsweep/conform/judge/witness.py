@@ -80,7 +80,6 @@ def list_exact_rings(case: Case, name: str) -> tuple[tuple[Point, ...], ...]:
 
 
 def list_exact_fits(case: Case, name: str) -> tuple[Fit, ...]:
-    """List the exact fits of G around D or inside D, or the slits of a sum."""
     if name == SUM:
         by = subtract(ORIGIN, case.reference)
         return tuple((add(p, by), add(q, by)) for p, q in case.exact_fits)
@@ -92,7 +91,6 @@ class WitnessError(ExactSweepError):
 
 
 def find_witness(case: Case, name: str, theirs: PointRings, cells: Iterable[Trapezoid]) -> Witness:
-    """Find a Witness with short coordinates that proves an answered loop wrong."""
     cell = max(cells, key=lambda cell: cell.area)
     show = {"inner": _of_inner, "outer": _of_outer}.get(name, partial(_of_positions, name=name))
     for point in cell.points():
@@ -196,7 +194,6 @@ def _over(case: Case, point: Point, t: Point) -> Witness | None:
 
 
 def _onto(case: Case, point: Point) -> AnyPolygon:
-    """Return the translations at which G covers a point."""
     return case.generatrix.reflected((point.x / 2, point.y / 2))
 
 

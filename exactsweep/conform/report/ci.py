@@ -58,11 +58,7 @@ _ERRORS = (Verdict.TIMEOUT, Verdict.MEMORY, Verdict.CRASH)
 
 
 def write_junit(run: Run) -> str:
-    """Write a run as JUnit XML with a test case for each case and each objection.
-
-    Crashes, timeouts and exceeded memory limits are errors, other failing verdicts and objections
-    are failures, and unjudged cases are skipped.
-    """
+    """Write a run as JUnit XML; crashes, timeouts and memory limits are errors, not failures."""
     summary, objections = run.summary, run.find_objections()
     errors = sum(summary.total(v) for v in _ERRORS if fails(v, run.accepted))
     suites = ElementTree.Element("testsuites")
@@ -90,7 +86,7 @@ def write_junit(run: Run) -> str:
 def _add(
     parent: ElementTree.Element, tag: str, text: str = "", **attributes: object
 ) -> ElementTree.Element:
-    """Add an element without control characters, which XML forbids."""
+    # XML forbids control characters.
     clean = {name: replace_controls(str(value)) for name, value in attributes.items()}
     element = ElementTree.SubElement(parent, tag, clean)
     element.text = replace_controls(text) or None

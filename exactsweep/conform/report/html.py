@@ -89,10 +89,9 @@ def write_html(run: Run) -> str:
 
 
 def _draw(outcome: Outcome) -> list[Panel]:
-    """Draw an outcome; an error must not prevent the page."""
     try:
         return draw_panels(outcome) if outcome.case else []
-    except (ArithmeticError, ValueError):
+    except (ArithmeticError, ValueError):  # a failed picture must not prevent the page
         return []
 
 
@@ -122,8 +121,6 @@ def _about(value: Fraction) -> str:
 
 
 class _Scene(NamedTuple):
-    """The layers of a picture, in the coordinates of the case."""
-
     layers: tuple[Layer, ...]
     witness: Point | None
     error: Fraction | None
@@ -135,11 +132,7 @@ class _Scene(NamedTuple):
 
 
 def draw_panels(outcome: Outcome) -> list[Panel]:
-    """Draw the worst part of an outcome with its case, or the exact trajectory if there is none.
-
-    The first panel shows everything. Others enlarge D if the witness is far away, and the witness
-    if the error is too small to be visible.
-    """
+    """Draw the worst part of an outcome, enlarged at D or the witness if these are too small."""
     name = outcome.worst["name"] if outcome.worst else "trajectory"
     scene = _scene(case_from_json(outcome.case), outcome, name)
     whole = _window(scene)

@@ -11,8 +11,6 @@ from exactsweep.numbers.number import PointRings
 
 
 class _Language(NamedTuple):
-    """The notation of rings in a language."""
-
     pattern: str
     line: str
     brackets: tuple[str, str]

@@ -68,11 +68,7 @@ class Channel:
         self.peak = None
 
     def receive(self, seconds: float) -> str:
-        """Wait for a line; return it without its end, with invalid UTF-8 replaced.
-
-        Raises:
-            ChannelError: no line, a line that is too long, or too much memory.
-        """
+        """Wait for a line, and replace invalid UTF-8; raise a ChannelError if there is none."""
         now = time.monotonic()
         deadline, look = now + seconds, now + _LOOKING
         while True:
@@ -89,10 +85,7 @@ class Channel:
             self._transfer(deadline - now)
 
     def finish(self, line: str, seconds: float) -> str | None:
-        """Send a last line, close the input, wait for the exit, and kill all descendants.
-
-        Return None if the process writes nothing more and exits with code 0; otherwise a complaint.
-        """
+        """Send a last line, wait for the exit and kill all descendants; return any complaint."""
         self.send(line)
         self._closing = True
         try:
@@ -111,7 +104,6 @@ class Channel:
         return f"kept writing after bye: {said[:40]!r}"
 
     def kill(self) -> None:
-        """Kill the process and all its descendants."""
         self._selector.close()
         self._started.end()
 

@@ -26,10 +26,7 @@ class JournalError(ExactSweepError):
 
 
 class Journal:
-    """A context manager that writes a journal, or resumes it.
-
-    Each line is flushed at once; resuming drops an incomplete last line.
-    """
+    """A context manager that writes a journal; resuming drops an incomplete last line."""
 
     def __init__(self, path: Path, terms: Terms, hello: Hello, *, resume: bool = False) -> None:
         self._path, self._name = str(path), show_path(str(path))

@@ -106,12 +106,10 @@ def outcome_from_json(data: Mapping[str, Any]) -> Outcome:
 
 
 def list_witnesses(part: Mapping[str, Any]) -> list[Mapping[str, Any]]:
-    """List the witnesses of a part of an outcome, overlap first."""
     return [part[name] for name in ("unsound", "conservative") if part[name]]
 
 
 def judge_case(peer: Peer, case: Case, rounding: Fraction | None = None) -> Outcome:
-    """Send a program a case and judge its answer; `rounding` as for `compare`."""
     return judge_answer(case, *ask(peer, case), peer.hello, rounding)
 
 

@@ -36,8 +36,6 @@ class Answer(NamedTuple):
 
 
 class Peer(Protocol):
-    """A program that answers cases."""
-
     hello: Hello
 
     def ask(self, case: Case) -> Answer:

@@ -27,9 +27,7 @@ class JudgeError(ExactSweepError):
 class Judges:
     """Judging processes, each with its own copy of a program; `close` ends all of them.
 
-    Attributes:
-        hello: the program's hello.
-        complaints: errors when its processes end; complete after `finish`.
+    `complaints` are errors when the processes end; they are complete after `finish`.
     """
 
     def __init__(self, terms: Terms, workers: int = 1) -> None:
@@ -53,11 +51,9 @@ class Judges:
         return (outcome for _, outcome in self._work_on(jobs))
 
     def shrink(self, outcomes: Iterable[Outcome], seconds: float) -> Iterator[tuple[str, Outcome]]:
-        """Yield the ids of failed cases with the outcomes of smaller cases."""
         return self._work_on((outcome.id, _shrink, (outcome, seconds)) for outcome in outcomes)
 
     def finish(self) -> None:
-        """Send bye to the program and collect `complaints`."""
         self.complaints += filter(None, self._call_in_each(_finish))
 
     def close(self) -> None:

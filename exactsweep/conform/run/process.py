@@ -26,8 +26,6 @@ TO_END = 2.0  # seconds until the exit after bye
 
 
 class Terms(NamedTuple):
-    """A program and its limits."""
-
     command: Sequence[str]
     seconds: float = SECONDS
     rounding: Fraction | None = None

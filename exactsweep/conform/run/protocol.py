@@ -8,8 +8,7 @@ from itertools import chain
 from typing import Any, Literal, TypeVar, get_args
 
 from exactsweep.corpus import Case
-from exactsweep.corpus.answered import SHAPES, Shapes
-from exactsweep.corpus.representable import find_types
+from exactsweep.corpus.answered import SHAPES, Shapes, find_types
 from exactsweep.formats import FormatError
 from exactsweep.formats.exact_json import describe_kind, parse_certificate
 from exactsweep.geometry.point_set import PointSet
@@ -40,8 +39,6 @@ class ProtocolError(ExactSweepError):
 
 @dataclass(frozen=True)
 class Hello:
-    """The self-description of a program."""
-
     name: str  # with its version, for the report
     loops: tuple[str, ...] = ("trajectory",)  # of a sweep; () without sweeps
     numbers: Numbers = "rational"  # that it reads
@@ -148,7 +145,7 @@ def write_case_line(case: Case, hello: Hello) -> str:
 
 
 def list_reflected_rings(case: Case) -> tuple[Loop, ...]:
-    """List the rings of -G, the second summand of a Minkowski sum."""
+    # The rings of -G, the second summand of a Minkowski sum.
     return tuple(tuple(Point(-x, -y) for x, y in ring) for ring in case.generatrix_rings)
 
 
@@ -172,7 +169,7 @@ def read_reply(line: str) -> dict[str, Any]:
 
 
 class UnsupportedError(ExactSweepError):
-    """A case that the program's hello excludes."""
+    pass
 
 
 def adapt(case: Case, hello: Hello) -> Case:

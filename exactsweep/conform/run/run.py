@@ -24,18 +24,11 @@ _DIFFERENT = (Verdict.CONSERVATIVE, Verdict.UNSOUND, Verdict.WRONG)
 
 
 class Tally:
-    """Counts of outcomes.
+    """Counts of outcomes by group, which is "all", a class or a flag, and verdict.
 
-    Attributes:
-        counts: Counter of (group, verdict); groups are "all", classes and flags.
-        granted: the greatest rounding of a loop that is within, and the id of its case.
-        different: the number of conservative, unsound and wrong trajectories.
-        diagnoses: Counter of their diagnoses.
-
-    Example:
-        >>> summary = Tally([Outcome("a", "CC", ("parallel-edges",), Verdict.EXACT)])
-        >>> summary.groups(), summary.verdicts(), summary.counts["CC", Verdict.EXACT]
-        (['all', 'CC', 'parallel-edges'], [<Verdict.EXACT: 'exact'>], 1)
+    >>> summary = Tally([Outcome("a", "CC", ("parallel-edges",), Verdict.EXACT)])
+    >>> summary.groups(), summary.verdicts(), summary.counts["CC", Verdict.EXACT]
+    (['all', 'CC', 'parallel-edges'], [<Verdict.EXACT: 'exact'>], 1)
     """
 
     def __init__(self, outcomes: Iterable[Outcome] = ()) -> None:
@@ -120,7 +113,6 @@ class NamedFault:
     kept: list[Outcome] = field(default_factory=list)
 
     def add(self, outcomes: Iterable[Outcome], count: int = 1) -> None:
-        """Count failures, and keep the smallest ones."""
         self.kept = sorted([*self.kept, *outcomes], key=lambda outcome: outcome.size)[:SHOWN]
         self.count += count
 
@@ -170,10 +162,7 @@ class Run:
             self._faults.setdefault(name, NamedFault(outcome.verdict, name)).add([outcome])
 
     def list_faults(self) -> list[NamedFault]:
-        """List the failures by fault, the worst verdict first.
-
-        A diagnosis that explains all differing answers of the run comes first in each fault.
-        """
+        """List the failures by fault, worst verdict first; a common diagnosis leads in each."""
         cause = self.summary.find_cause()
         found: dict[str, NamedFault] = {}
         for fault in self._faults.values():

@@ -20,7 +20,7 @@ from exactsweep.numbers.number import ORIGIN, Loop
 
 
 class ShrinkError(ExactSweepError):
-    """A case that does not fail."""
+    pass
 
 
 class _GivenPair(NamedTuple):
@@ -118,7 +118,6 @@ class _Search:
         return self._tries <= 0 or time.monotonic() >= self._deadline
 
     def improve(self) -> bool:
-        """Try all reductions once; return whether one succeeded."""
         before = self._size
         for candidates in (_move, _remove, _shorten_all, _shorten_one):
             # Candidates depend on the current pair, so they start over after a change.

@@ -20,12 +20,7 @@ _MOST_COMPLAINTS = 20
 
 
 class Stream:
-    """The output of a program: a hello, then answers, one per line.
-
-    Attributes:
-        hello: the program's hello.
-        complaints: errors of the first lines that cannot be judged.
-    """
+    """The output of a program: a hello, then answers, one per line."""
 
     def __init__(self, file: BinaryIO) -> None:
         # A line that is too long is cut, which makes it invalid.

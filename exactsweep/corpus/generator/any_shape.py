@@ -1,23 +1,9 @@
-"""Families of shapes of any kind: caves, holes, and parts that fit into each other.
-
-Most shapes are sets of squares, which often fit each other, or random polygons on small grids.
-"""
+"""Families of any shape: mostly sets of squares, which often fit each other."""
 
 from collections.abc import Callable, Sequence
 from fractions import Fraction
 
-from exactsweep.corpus.generator.cells import (
-    Cell,
-    Matrix,
-    around,
-    build_block,
-    build_frame,
-    connect,
-    grow,
-    map_region,
-    move,
-    trace_outline,
-)
+from exactsweep.corpus.generator import cells
 from exactsweep.corpus.generator.prng import Prng
 from exactsweep.corpus.generator.shapes import untangle, walk
 from exactsweep.geometry.canonical import PolygonError
@@ -28,7 +14,7 @@ from exactsweep.geometry.vectors import angle_key, compare_angles
 Regions = tuple[Region, Region]
 Draw = Callable[[Prng], Regions]
 
-SHEARS: list[Matrix] = [
+SHEARS: list[cells.Matrix] = [
     ((1, 0), (0, 1)),
     ((1, 1), (0, 1)),
     ((1, 0), (2, 1)),
@@ -42,43 +28,42 @@ SCALES = [Fraction(1), Fraction(1), Fraction(1), Fraction(7, 3), Fraction(10**15
 
 def polyominoes_pair(random: Prng) -> Regions:
     """Two clumps of squares, with caves, holes and corners that touch."""
-    return trace_outline(_draw_clump(random, 8)), trace_outline(_draw_clump(random, 24))
+    return cells.trace_outline(_draw_clump(random, 8)), cells.trace_outline(_draw_clump(random, 24))
 
 
 def jigsaw_pair(random: Prng) -> Regions:
     """A clump of squares cut in two: the parts fit, along segments or in single positions."""
-    cells = set(_draw_clump(random, 30)) | build_block(2, 2)
-    part = {random.choice(sorted(cells))}
-    for _ in range(random.between(0, len(cells) // 2)):
-        adjacent = sorted(set(around(part)) & cells)
-        if len(cells) > len(part) + 1:
+    squares = set(_draw_clump(random, 30)) | cells.build_block(2, 2)
+    part = {random.choice(sorted(squares))}
+    for _ in range(random.between(0, len(squares) // 2)):
+        adjacent = sorted(set(cells.around(part)) & squares)
+        if len(squares) > len(part) + 1:
             part.add(random.choice(adjacent))
-    return trace_outline(part), trace_outline(connect(cells - part))
+    return cells.trace_outline(part), cells.trace_outline(cells.connect(squares - part))
 
 
 def mould_pair(random: Prng) -> Regions:
     """A block with the part cut out of it, closed or open to one side."""
     part = _draw_clump(random, 7)
     low = [min(cell[k] for cell in part) for k in (0, 1)]
-    inside = move(part, (random.between(0, 1) - low[0], random.between(0, 1) - low[1]))
+    inside = cells.move(part, (random.between(0, 1) - low[0], random.between(0, 1) - low[1]))
     width, height = (max(c[k] for c in inside) + random.between(1, 2) for k in (0, 1))
-    return trace_outline(part), trace_outline(
-        connect(build_block(width + 2, height + 2, -1, -1) - inside)
-    )
+    block = cells.build_block(width + 2, height + 2, -1, -1)
+    return cells.trace_outline(part), cells.trace_outline(cells.connect(block - inside))
 
 
 def cave_pair(random: Prng) -> Regions:
     """A block with a cavity, and an entry about as wide as the part, or none."""
     width, height = random.between(3, 7), random.between(3, 7)
-    cavity = build_block(width - 2, height - 2, 1, 1)
+    cavity = cells.build_block(width - 2, height - 2, 1, 1)
     start = random.between(1, width - 2)
     entry = {(x, 0) for x in range(start, min(start + random.between(0, 2), width - 1))}
     pillars = {cell for cell in sorted(cavity) if random.chance(1, 10)}
-    solid = build_block(width, height) - cavity - entry | pillars
-    part = build_block(random.between(1, 2), random.between(1, 2))
+    solid = cells.build_block(width, height) - cavity - entry | pillars
+    part = cells.build_block(random.between(1, 2), random.between(1, 2))
     if random.chance(3, 10):
         part = set(_draw_clump(random, 5))
-    return trace_outline(part), trace_outline(connect(solid))
+    return cells.trace_outline(part), cells.trace_outline(cells.connect(solid))
 
 
 def spiral_pair(random: Prng) -> Regions:
@@ -88,20 +73,19 @@ def spiral_pair(random: Prng) -> Regions:
     steps = [directions[k % 4] for k in range(turns) for _ in range((turns - k + 1) // 2 * gap + 1)]
     part = set(_draw_clump(random, 5))
     if random.chance(3, 5):
-        part = build_block(random.between(1, gap), random.between(1, gap))
-    return trace_outline(part), trace_outline(walk(steps))
+        part = cells.build_block(random.between(1, gap), random.between(1, gap))
+    return cells.trace_outline(part), cells.trace_outline(walk(steps))
 
 
 def rings_pair(random: Prng) -> Regions:
     """Two frames, one often as wide as the hole of the other: rings around rings."""
     width, height = random.between(3, 5), random.between(3, 5)
     more = [random.between(0, 2) if random.chance(1, 2) else 2 for _ in "xy"]
-    inner = build_frame(width, height)
+    inner = cells.build_frame(width, height)
     if random.chance(3, 10):
         inner.discard((1, 0))
-    return trace_outline(build_frame(width + more[0], height + more[1])), trace_outline(
-        connect(inner)
-    )
+    outer = cells.build_frame(width + more[0], height + more[1])
+    return cells.trace_outline(outer), cells.trace_outline(cells.connect(inner))
 
 
 def stars_pair(random: Prng) -> Regions:
@@ -150,21 +134,21 @@ def container_pair(random: Prng) -> Regions:
 def combs_pair(random: Prng) -> Regions:
     """Teeth and gaps that face each other, often of equal width."""
 
-    def comb() -> set[Cell]:
-        cells: set[Cell] = set()
+    def comb() -> set[cells.Cell]:
+        squares: set[cells.Cell] = set()
         x = 0
         for k in range(2 * random.between(1, 3) + 1):
             width = random.choice([1, 1, 2])
             for _ in range(width):
-                cells |= build_block(1, 1 if k % 2 else random.between(2, 4), x)
+                squares |= cells.build_block(1, 1 if k % 2 else random.between(2, 4), x)
                 x += 1
-        return cells
+        return squares
 
-    return trace_outline({(-x, -y) for x, y in comb()}), trace_outline(comb())
+    return cells.trace_outline({(-x, -y) for x, y in comb()}), cells.trace_outline(comb())
 
 
 def place(random: Prng, draw: Draw, scales: Sequence[Fraction] = SCALES) -> Regions:
-    """Draw a pair, and shear, scale and move both polygons; sometimes with exchanged roles."""
+    """Draw a pair; shear, scale and translate both polygons; sometimes exchange their roles."""
     while True:
         try:
             g, d = draw(random)
@@ -176,16 +160,16 @@ def place(random: Prng, draw: Draw, scales: Sequence[Fraction] = SCALES) -> Regi
     shear, scale = random.choice(SHEARS), random.choice(scales)
 
     def placed(shape: Region) -> Region:
-        return map_region(shape, shear, scale, (random.between(-9, 9), random.between(-9, 9)))
+        return cells.map_region(shape, shear, scale, (random.between(-9, 9), random.between(-9, 9)))
 
     return placed(g), placed(d)
 
 
-def _draw_clump(random: Prng, most: int) -> frozenset[Cell]:
-    return grow(random.between(0, 10**6) for _ in range(random.between(0, most - 1)))
+def _draw_clump(random: Prng, most: int) -> frozenset[cells.Cell]:
+    return cells.grow(random.between(0, 10**6) for _ in range(random.between(0, most - 1)))
 
 
-def _make_box(low: Cell, high: Cell) -> Polygon:
+def _make_box(low: cells.Cell, high: cells.Cell) -> Polygon:
     return Polygon([low, (high[0], low[1]), high, (low[0], high[1])])
 
 
@@ -199,9 +183,9 @@ def _draw_star(random: Prng) -> Region:
     return Region(Polygon(sort_by_angle(points)))
 
 
-def sort_by_angle(points: set[Cell]) -> list[Cell]:
+def sort_by_angle(points: set[cells.Cell]) -> list[cells.Cell]:
     """Sort points around the origin, and keep the first in each direction."""
-    found: list[Cell] = []
+    found: list[cells.Cell] = []
     for p in sorted(sorted(points), key=angle_key):
         if not found or compare_angles(found[-1], p):
             found.append(p)
@@ -209,7 +193,7 @@ def sort_by_angle(points: set[Cell]) -> list[Cell]:
 
 
 def _draw_untangled(random: Prng, most: int, side: int) -> Polygon:
-    """A random simple polygon: reverse parts of a random tour until no edges cross."""
+    """Draw a random simple polygon: reverse parts of a random tour until no edges cross."""
     while True:
         n = random.between(3, most)
         points = [(random.between(0, side), random.between(0, side)) for _ in range(n)]

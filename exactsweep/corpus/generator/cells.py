@@ -14,28 +14,24 @@ SIDES = ((1, 0), (0, 1), (-1, 0), (0, -1))
 
 
 def build_block(width: int, height: int, x: int = 0, y: int = 0) -> set[Cell]:
-    """List the squares of a rectangle by its lower left corner."""
     return {(x + i, y + j) for i in range(width) for j in range(height)}
 
 
 def build_frame(width: int, height: int) -> set[Cell]:
-    """List the squares along the border of a rectangle."""
     return build_block(width, height) - build_block(width - 2, height - 2, 1, 1)
 
 
 def list_neighbours(cell: Cell) -> list[Cell]:
-    """List the four neighbours of a square."""
     return [(cell[0] + dx, cell[1] + dy) for dx, dy in SIDES]
 
 
 def around(cells: Iterable[Cell]) -> list[Cell]:
-    """List the neighbours of a set of squares, sorted."""
     own = set(cells)
     return sorted({near for cell in own for near in list_neighbours(cell)} - own)
 
 
 def grow(choices: Iterable[int]) -> frozenset[Cell]:
-    """Make a connected set of squares by adding neighbours.
+    """Make a connected set of squares by adding neighbors.
 
     >>> sorted(grow([0, 5]))
     [(-1, 0), (0, 0), (1, 0)]
@@ -59,18 +55,14 @@ def connect(cells: Iterable[Cell]) -> set[Cell]:
 
 
 def move(cells: Iterable[Cell], by: Sequence[int]) -> set[Cell]:
-    """Translate squares."""
     return {(x + by[0], y + by[1]) for x, y in cells}
 
 
 def trace_outline(cells: Iterable[Cell]) -> Region:
     """Return the shape of a connected set of squares; rings may touch at corners.
 
-    Cost: linear, plus that of `Region`.
-
-    Example:
-        >>> trace_outline(build_frame(3, 3))
-        Region([(0, 0), (3, 0), (3, 3), (0, 3)], [[(1, 1), (2, 1), (2, 2), (1, 2)]])
+    >>> trace_outline(build_frame(3, 3))
+    Region([(0, 0), (3, 0), (3, 3), (0, 3)], [[(1, 1), (2, 1), (2, 2), (1, 2)]])
     """
     filled = set(cells)
     ahead: dict[Cell, list[Cell]] = defaultdict(list)
@@ -103,7 +95,6 @@ def trace_outline(cells: Iterable[Cell]) -> Region:
 def map_region(
     shape: Region, matrix: Matrix, scale: Fraction = Fraction(1), by: Cell = (0, 0)
 ) -> Region:
-    """Map a shape by a matrix, translate it, then scale it."""
     (a, b), (c, d) = matrix
     exterior, *holes = (
         [((a * x + b * y + by[0]) * scale, (c * x + d * y + by[1]) * scale) for x, y in ring]

@@ -1,6 +1,4 @@
-"""The families of the generator, and the cases of a family."""
-
-from __future__ import annotations
+"""The families of the generator, and their cases."""
 
 import re
 from collections.abc import Callable, Iterator
@@ -9,7 +7,7 @@ from itertools import count as count_from
 from typing import Any, NamedTuple
 
 from exactsweep.corpus.case import Case
-from exactsweep.corpus.generator import any_shape, large, numeric, plain
+from exactsweep.corpus.generator import any_shape, numeric, plain
 from exactsweep.corpus.generator.prng import Prng
 from exactsweep.corpus.names import UnknownNameError, require_known
 from exactsweep.geometry.polygon import Polygon
@@ -46,6 +44,7 @@ class Family(NamedTuple):
         return self.description.partition("\n")[0]
 
 
+# The families by level.
 LEVELS = {
     "easy": (plain, "convex notched monotone"),
     "degenerate": (plain, "grid rectilinear fits equal-slopes tangent turned respelled"),
@@ -54,13 +53,12 @@ LEVELS = {
         "rounded-crossings far fractions slivers near-parallel near-fits perturbed int32-edge "
         "int64-edge binary64-edge",
     ),
-    "large": (large, "unequal lower-bound long"),
+    "large": (numeric, "unequal lower-bound long"),
     "any shape": (
         any_shape,
         "polyominoes jigsaw mould cave spiral rings stars tangles plate container combs",
     ),
 }
-"""The families by level."""
 FLAGS = {
     "tangent": "tangent",
     "slivers": "sliver",
@@ -109,11 +107,10 @@ def generate(family: str, seed: int, count: int | None = None) -> Iterator[Case]
 
 
 def generate_case(id: str) -> Case:
-    """Make the case with an id gen-FAMILY-SEED-NUMBER, or raise UnknownNameError.
+    """Make the case with an id gen-FAMILY-SEED-NUMBER.
 
-    Example:
-        >>> generate_case("gen-fits-7-1") == list(generate("fits", 7, 2))[1]
-        True
+    >>> generate_case("gen-fits-7-1") == list(generate("fits", 7, 2))[1]
+    True
     """
     match = _ID.fullmatch(id)
     if match is None:

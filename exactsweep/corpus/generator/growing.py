@@ -1,11 +1,9 @@
-"""Named families of pairs for the counts of the ledger.
+"""Families of pairs with growing sizes, for the counts of the ledger.
 
 A seeded family takes (m, n, seed), m and n even, and returns a generatrix of n and a directrix of m
 vertices as counter-clockwise lists of pairs of ints. `random.Random` has the same integers on all
 platforms.
 """
-
-from __future__ import annotations
 
 from fractions import Fraction
 from itertools import pairwise
@@ -16,11 +14,7 @@ from exactsweep.corpus.generator.shapes import IntegerPoint, Ring, turn_half, wa
 
 
 def convex(n: int, random: Random, size: int = 1000) -> Ring:
-    """A convex polygon of n vertices (n even): n/2 random primitive edges and their opposites.
-
-    >>> convex(6, Random(1), 1)
-    [(0, 0), (1, -1), (2, -1), (3, 0), (2, 1), (1, 1)]
-    """
+    """Make a convex polygon of n vertices: n/2 random primitive edges and their opposites."""
     edges: set[IntegerPoint] = set()
     while len(edges) < n // 2:
         x, y = random.randrange(1, size + 1), random.randrange(-size, size + 1)
@@ -31,11 +25,7 @@ def convex(n: int, random: Random, size: int = 1000) -> Ring:
 
 
 def zigzag(n: int, random: Random, step: int = 1000, height: int = 1000) -> Ring:
-    """An X-monotone polygon of n vertices: two random chains on a regular grid of x.
-
-    >>> zigzag(6, Random(0), 5, 1)
-    [(0, 0), (5, -1), (10, -1), (15, 0), (10, 1), (5, 1)]
-    """
+    """Make an X-monotone polygon of n vertices: two random chains on a regular grid of x."""
     half = n // 2 - 1
     bottom = [(step * k, random.randrange(-height, 0)) for k in range(1, half + 1)]
     top = [(step * k, random.randrange(1, height + 1)) for k in range(1, half + 1)]
@@ -43,7 +33,7 @@ def zigzag(n: int, random: Random, step: int = 1000, height: int = 1000) -> Ring
 
 
 def comb(m: int, width: int, depth: int) -> Ring:
-    """An X-monotone polygon of m vertices with deep teeth at distance `width` on both sides."""
+    """Make an X-monotone polygon of m vertices with deep teeth on both sides."""
     half = m // 2 - 1
     bottom = [(width * k, -depth if k % 2 else 0) for k in range(1, half + 1)]
     top = [(x, 2 * depth - y) for x, y in bottom]
@@ -51,14 +41,12 @@ def comb(m: int, width: int, depth: int) -> Ring:
 
 
 def cc(m: int, n: int, seed: int = 0) -> tuple[Ring, Ring]:
-    """Two convex polygons."""
     random = Random(f"cc {m} {n} {seed}")
     size = max(1000, 4 * max(m, n))
     return convex(n, random, size), convex(m, random, size)
 
 
 def cm(m: int, n: int, seed: int = 0) -> tuple[Ring, Ring]:
-    """A convex generatrix about as wide as five teeth of a random zigzag directrix."""
     random = Random(f"cm {m} {n} {seed}")
     generatrix = convex(n, random, 100)
     step = max(1, max(x for x, _ in generatrix) // 5)
@@ -66,7 +54,7 @@ def cm(m: int, n: int, seed: int = 0) -> tuple[Ring, Ring]:
 
 
 def cm_hard(m: int, n: int, seed: int = 0) -> tuple[Ring, Ring]:
-    """Teeth so deep that G moves around each of them: a trajectory of Theta(m n) edges."""
+    """Make teeth so deep that G moves around each of them: a trajectory of Theta(m n) edges."""
     random = Random(f"cm_hard {m} {n} {seed}")
     generatrix = convex(n, random, 100)
     width = max(x for x, _ in generatrix)
@@ -74,7 +62,7 @@ def cm_hard(m: int, n: int, seed: int = 0) -> tuple[Ring, Ring]:
 
 
 def cm_undercut(m: int, n: int, seed: int = 0) -> tuple[Ring, Ring]:
-    """Teeth closer than G is wide, so that G rests on two: an inner loop of Theta(m n) edges."""
+    """Make gaps narrower than G, so that it rests on two teeth: an inner loop of Theta(m n)."""
     random = Random(f"cm_undercut {m} {n} {seed}")
     generatrix = convex(n, random, 100)
     width = max(x for x, _ in generatrix)
@@ -82,19 +70,17 @@ def cm_undercut(m: int, n: int, seed: int = 0) -> tuple[Ring, Ring]:
 
 
 def mm(m: int, n: int, seed: int = 0) -> tuple[Ring, Ring]:
-    """Two random zigzags with equal steps."""
     random = Random(f"mm {m} {n} {seed}")
     return zigzag(n, random), zigzag(m, random)
 
 
 def figure10(m: int, n: int, seed: int = 0) -> tuple[Ring, Ring]:
-    """The `bumps` with m and n vertices, both even: an outer loop of Theta(m n^2) edges."""
     n_t = 2 * (n // 4)
     return bumps(m - 2, n_t, n - n_t)
 
 
 def needles(m: int, n: int) -> tuple[Ring, Ring]:
-    """An inner loop of order m n^2: needles in D_b at distances of nearly the width of G.
+    """Make an inner loop of order m n^2: needles in D_b at distances of nearly the width of G.
 
     D_b has about m / 3 needles under a high ceiling, and G_t has `inner_peaks(n)` peaks. All
     differences of x between a peak and a valley are distinct ints, also after shifting some of them
@@ -116,7 +102,6 @@ def needles(m: int, n: int) -> tuple[Ring, Ring]:
 
 
 def inner_peaks(n: int) -> int:
-    """Count the peaks of the G of `needles`."""
     return max(2, (n - 2) // 2)
 
 
@@ -131,7 +116,7 @@ def edges_over_needles(m: int, n: int) -> int:
 
 
 def ceilings(m: int, n: int) -> tuple[Ring, Ring]:
-    """An inner loop of order m n^2 undercuts: `needles` under ceilings that the peaks just touch.
+    """Make an inner loop of order m n^2 undercuts: `needles` under ceilings that the peaks touch.
 
     Between two needles, G touches the ceiling at `inner_peaks(n)` (`inner_peaks(n)` - 1) positions:
     see the proof of "Number of undercuts, MM".
@@ -143,24 +128,19 @@ def ceilings(m: int, n: int) -> tuple[Ring, Ring]:
 
 
 def undercuts_under_ceilings(m: int, n: int) -> int:
-    """Count the undercuts of the lower sweep of `ceilings`, by the same proof.
-
-    >>> undercuts_under_ceilings(7, 16), undercuts_under_ceilings(13, 32)
-    (43, 633)
-    """
+    """Count the undercuts of the lower sweep of `ceilings`, by the same proof."""
     count, peaks = max(2, (m - 1) // 3), inner_peaks(n)
     return (count - 1) * (peaks * (peaks - 1) + 1)
 
 
 def wide(m: int, n: int, seed: int = 0) -> tuple[Ring, Ring]:
-    """A convex generatrix wider than a random zigzag."""
     random = Random(f"wide {m} {n} {seed}")
     generatrix = convex(n, random, 100)
     return [(m * x, m * y) for x, y in generatrix], zigzag(m, random, 10, 10)
 
 
 def bowls(m: int, n: int, seed: int = 0) -> tuple[Ring, Ring]:
-    """A convex generatrix below four bowls: D_b has four convex chains of about m / 4 edges."""
+    """Put a convex generatrix below a D_b of four convex chains of about m / 4 edges each."""
     random = Random(f"bowls {m} {n} {seed}")
     ends = [i * (m - 2) // 4 for i in range(5)]
     arcs = [(j - i, k) for i, j in pairwise(ends) for k in range(j - i)]
@@ -169,10 +149,7 @@ def bowls(m: int, n: int, seed: int = 0) -> tuple[Ring, Ring]:
 
 
 def rim(m: int, n: int) -> tuple[Ring, Ring]:
-    """A bottom chain that G touches almost everywhere: m / 2 edges, convex except for a notch.
-
-    G_t has n points under a lid, every other one a spike, and is too wide for the notch.
-    """
+    """Make a bottom chain of m / 2 edges, convex except for a notch, below a G with n spikes."""
     width = 10 * n
     arc = [(3 * width + 4 * width * k, 20 * k * k) for k in range((m - 5) // 2 + 1)]
     top = arc[-1][1] + 50
@@ -183,7 +160,7 @@ def rim(m: int, n: int) -> tuple[Ring, Ring]:
 
 
 def bumps(m_b: int, n_t: int, n_b: int) -> tuple[Ring, Ring]:
-    """The pair of Figure 10: m_b / 2 teeth in D_b, n_t / 2 peaks in G_t, a round tip in G_b.
+    """Make the pair of Figure 10: m_b / 2 teeth in D_b, n_t / 2 peaks in G_t, a round tip in G_b.
 
     Each peak passes each tooth at a distinct position, where the tip of G_b, n_b - 2 flat edges
     between steep flanks, adds to the outer boundary of the lower sweep. It has m_b n_t n_b / 4 + 4
@@ -203,25 +180,17 @@ def bumps(m_b: int, n_t: int, n_b: int) -> tuple[Ring, Ring]:
 
 
 def edges_of_bumps(m_b: int, n_t: int, n_b: int) -> int:
-    """Count the edges of the outer boundary of `bumps`: tips, flanks, and two edges at each end.
-
-    >>> edges_of_bumps(2, 4, 6)
-    16
-    """
+    """Count the edges of the outer boundary of `bumps`: tips, flanks, and two edges at each end."""
     return m_b * n_t * n_b // 4 + 4
 
 
 def printed_count(m_b: int, n_t: int, n_b: int) -> int:
-    """Compute the paper's formula for the same number.
-
-    >>> printed_count(2, 4, 6), printed_count(4, 4, 6)
-    (16, 26)
-    """
+    """Compute the paper's formula for the same number."""
     return m_b + n_t + (m_b // 2) * (n_t // 2) * (n_b - 2) + 2
 
 
 def forks(m: int, n: int) -> tuple[Ring, Ring]:
-    """A no-fit polygon of order (m n)^2 holes: forks with spikes down and to the right.
+    """Make a no-fit polygon of order (m n)^2 holes: forks with spikes down and to the right.
 
     D has m / 6 - 1 spikes in each direction, and -G has n / 6 - 1 at distances larger by the factor
     m / 6 - 1; "Size of a no-fit polygon" has the proof. m and n are multiples of 6, at least 18.

@@ -2,23 +2,12 @@
 
 from collections.abc import Sequence
 
+from exactsweep.corpus.generator import shapes
 from exactsweep.corpus.generator.prng import Prng
-from exactsweep.corpus.generator.shapes import (
-    Grid,
-    Ring,
-    build_columns,
-    close_between,
-    draw_convex,
-    draw_monotone,
-    draw_rectilinear,
-    turn_half,
-    walk,
-)
 
-RingPair = Sequence[Ring]
-"""A generatrix and a directrix."""
+RingPair = Sequence[shapes.Ring]  # a generatrix and a directrix
 
-TINY_GRID = Grid(cells=(1, 5), widths=(1, 1, 1, 2), height=2, walls=2)
+TINY_GRID = shapes.Grid(cells=(1, 5), widths=(1, 1, 1, 2), height=2, walls=2)
 # Invertible integer matrices by rows; one reverses the orientation.
 MATRICES = [
     ((0, -1), (1, 0)),
@@ -33,19 +22,19 @@ MATRICES = [
 
 def convex_pair(random: Prng) -> RingPair:
     """Two convex polygons on a 100 by 100 grid."""
-    return draw_convex(random, 12, 100), draw_convex(random, 12, 100)
+    return shapes.draw_convex(random, 12, 100), shapes.draw_convex(random, 12, 100)
 
 
 def notched_pair(random: Prng) -> RingPair:
     """A convex polygon around a monotone one on a 20 by 20 grid."""
-    grid = Grid(cells=(2, 7), widths=(3, 5, 8), height=20, walls=1)
-    return draw_convex(random, 8, random.choice([6, 12])), draw_monotone(random, grid)
+    grid = shapes.Grid(cells=(2, 7), widths=(3, 5, 8), height=20, walls=1)
+    return shapes.draw_convex(random, 8, random.choice([6, 12])), shapes.draw_monotone(random, grid)
 
 
 def monotone_pair(random: Prng) -> RingPair:
     """Two monotone polygons on a 20 by 20 grid."""
-    grid = Grid(cells=(2, 6), widths=(3, 5, 8), height=20, walls=1)
-    return draw_monotone(random, grid), draw_monotone(random, grid)
+    grid = shapes.Grid(cells=(2, 6), widths=(3, 5, 8), height=20, walls=1)
+    return shapes.draw_monotone(random, grid), shapes.draw_monotone(random, grid)
 
 
 def grid_pair(random: Prng) -> RingPair:
@@ -55,32 +44,32 @@ def grid_pair(random: Prng) -> RingPair:
     if chosen == 0:
         return directrix, directrix
     if chosen == 1:
-        return turn_half(directrix), directrix
+        return shapes.turn_half(directrix), directrix
     return _on_grid(random), directrix
 
 
 def rectilinear_pair(random: Prng) -> RingPair:
     """Two rectilinear polygons with slots and teeth of few widths."""
     widths = random.choice([(1,), (1, 2), (2, 3)])
-    generatrix = draw_rectilinear(random, (1, 4), widths, 2)
-    return generatrix, draw_rectilinear(random, (2, 7), widths, 3)
+    generatrix = shapes.draw_rectilinear(random, (1, 4), widths, 2)
+    return generatrix, shapes.draw_rectilinear(random, (2, 7), widths, 3)
 
 
 def fits_pair(random: Prng) -> RingPair:
     """A block with slots as wide as G or a part of it, of equal, greater or smaller depth."""
     widths = [random.between(1, 3) for _ in range(random.between(1, 3))]
     heights = [random.between(1, 4) for _ in widths]
-    generatrix = build_columns(widths, heights)
+    generatrix = shapes.build_columns(widths, heights)
     generatrix = [(0, -1), (sum(widths), -1), *reversed(generatrix)]
     slot = [(w, h + random.between(-1, 1)) for w, h in zip(widths, heights, strict=True)]
     cells: list[tuple[int, int]] = []
     for _ in range(random.between(1, 2)):
         cells += [(random.between(1, 2), 0), *slot]
     cells.append((random.between(1, 2), 0))
-    bottom = build_columns([w for w, _ in cells], [h for _, h in cells])
+    bottom = shapes.build_columns([w for w, _ in cells], [h for _, h in cells])
     lid = max(h for _, h in cells) + 1
     rings = [generatrix, [*bottom, (bottom[-1][0], lid), (0, lid)]]
-    return rings if random.chance(1, 2) else [turn_half(ring) for ring in rings]
+    return rings if random.chance(1, 2) else [shapes.turn_half(ring) for ring in rings]
 
 
 def equal_slopes_pair(random: Prng) -> RingPair:
@@ -88,17 +77,17 @@ def equal_slopes_pair(random: Prng) -> RingPair:
     depth = random.choice([1, 3, 1000])
     steps = [(1, depth), (1, -depth), (1, depth), (1, -depth), (2, 2 * depth), (2, 0)]
 
-    def teeth() -> Ring:
+    def teeth() -> shapes.Ring:
         bottom, top = (
-            walk([random.choice(steps) for _ in range(random.between(2, 8))]) for _ in "bt"
+            shapes.walk([random.choice(steps) for _ in range(random.between(2, 8))]) for _ in "bt"
         )
-        return close_between(random, bottom, top)
+        return shapes.close_between(random, bottom, top)
 
     return teeth(), teeth()
 
 
 def tangent_pair(random: Prng) -> RingPair:
-    """The bottom of D is moulded over the top of G in several places: many points of contact."""
+    """The bottom of D is molded over the top of G in several places: many points of contact."""
     width = random.between(2, 6)
     top = [random.between(0, 4) for _ in range(width + 1)]
     places = [(random.between(0, 5), random.between(-1, 1)) for _ in range(random.between(2, 4))]
@@ -131,16 +120,16 @@ def respelled_pair(random: Prng) -> RingPair:
     return [_respell(random, ring) for ring in grid_pair(random)]
 
 
-def _on_grid(random: Prng) -> Ring:
+def _on_grid(random: Prng) -> shapes.Ring:
     if random.chance(1, 3):
-        return draw_convex(random, 8, random.choice([1, 2, 3]))
-    return draw_monotone(random, TINY_GRID)
+        return shapes.draw_convex(random, 8, random.choice([1, 2, 3]))
+    return shapes.draw_monotone(random, TINY_GRID)
 
 
-def _respell(random: Prng, ring: Ring) -> Ring:
+def _respell(random: Prng, ring: shapes.Ring) -> shapes.Ring:
     first = random.between(0, len(ring) - 1)
     ring = [(2 * x, 2 * y) for x, y in ring[first:] + ring[:first]]
-    spelled: Ring = []
+    spelled: shapes.Ring = []
     for (ax, ay), (bx, by) in zip(ring, ring[1:] + ring[:1], strict=True):
         spelled += [(ax, ay)] * random.choice([1, 1, 2])
         if random.chance(2, 5):

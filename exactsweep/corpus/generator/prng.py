@@ -23,17 +23,15 @@ _MASK = 2**64 - 1
 class Prng:
     """A stream of random numbers for any seed text.
 
-    Example:
-        >>> random = Prng("a seed")
-        >>> [random.between(1, 6) for _ in range(8)]
-        [5, 6, 3, 6, 1, 3, 3, 2]
+    >>> random = Prng("a seed")
+    >>> [random.between(1, 6) for _ in range(8)]
+    [5, 6, 3, 6, 1, 3, 3, 2]
     """
 
     def __init__(self, seed: str) -> None:
         self._state = int.from_bytes(sha256(seed.encode()).digest()[:8], "big")
 
     def bits64(self) -> int:
-        """Draw 64 bits."""
         self._state = (self._state + 0x9E3779B97F4A7C15) & _MASK
         z = self._state
         z = ((z ^ (z >> 30)) * 0xBF58476D1CE4E5B9) & _MASK
@@ -41,7 +39,7 @@ class Prng:
         return z ^ (z >> 31)
 
     def between(self, low: int, high: int) -> int:
-        """Draw an int, from low to high inclusive, all equally likely.
+        """Draw an int from low to high inclusive, all equally likely.
 
         Draws of 64 bits, the most significant first, form a number; it is drawn again in the
         incomplete last multiple of the range.
@@ -59,7 +57,6 @@ class Prng:
                 return low + drawn % span
 
     def choice(self, items: Sequence[_T]) -> _T:
-        """Draw one of several equally likely items."""
         return items[self.between(0, len(items) - 1)]
 
     def chance(self, share: int, total: int) -> bool:

@@ -12,28 +12,19 @@ Ring = list[IntegerPoint]
 
 
 class Grid(NamedTuple):
-    """Parameters of a random monotone ring: number of cells, their widths, heights, and walls.
+    """Parameters of a random monotone ring."""
 
-    Attributes:
-        cells: the least and the greatest number of cells of each chain.
-        widths: the possible widths of a cell.
-        height: the maximum y of each chain; the minimum is 0.
-        walls: the probability of a vertical edge between cells, in eighths.
-        pointed: the probability of a point instead of a vertical edge at an end, in eighths.
-    """
-
-    cells: tuple[int, int]
-    widths: Sequence[int]
-    height: int
-    walls: int = 0
-    pointed: int = 3
+    cells: tuple[int, int]  # minimum and maximum number of cells of each chain
+    widths: Sequence[int]  # of a cell
+    height: int  # maximum y of each chain; the minimum is 0
+    walls: int = 0  # probability of a vertical edge between cells, in eighths
+    pointed: int = 3  # probability of a point instead of a vertical edge at an end, in eighths
 
 
 P = TypeVar("P", bound=tuple[Any, Any])
 
 
 def draw_convex(random: Prng, most: int, side: int) -> Ring:
-    """Draw the hull of at most `most` random points of a square grid."""
     points = [
         (random.between(0, side), random.between(0, side)) for _ in range(random.between(3, most))
     ]
@@ -44,7 +35,6 @@ def draw_convex(random: Prng, most: int, side: int) -> Ring:
 def walk(
     steps: Iterable[tuple[Any, Any]], start: tuple[Any, Any] = (0, 0)
 ) -> list[tuple[Any, Any]]:
-    """List the points reached by steps from the origin or another start."""
     return list(accumulate(steps, lambda p, step: (p[0] + step[0], p[1] + step[1]), initial=start))
 
 
@@ -68,8 +58,6 @@ def _chain(random: Prng, grid: Grid) -> Ring:
 def draw_rectilinear(
     random: Prng, cells: tuple[int, int], widths: Sequence[int], height: int
 ) -> Ring:
-    """Draw a rectilinear ring."""
-
     def chain() -> Ring:
         widths_drawn = [random.choice(widths) for _ in range(random.between(*cells))]
         return build_columns(widths_drawn, [random.between(0, height) for _ in widths_drawn])
@@ -102,7 +90,6 @@ def close_between(random: Prng, bottom: Ring, top: Ring, pointed: int = 3) -> Ri
 
 
 def turn_half(ring: Ring) -> Ring:
-    """Reflect a ring in the origin."""
     return [(-x, -y) for x, y in ring]
 
 
@@ -120,7 +107,6 @@ def untangle(points: Iterable[IntegerPoint]) -> Ring:
 
 
 def _find_crossing(ring: Ring) -> IntegerPoint | None:
-    """Find two edges that cross, by their first vertices."""
     for i, j in combinations(range(len(ring)), 2):
         a, b, p, q = ring[i], ring[i + 1], ring[j], ring[(j + 1) % len(ring)]
         if (

@@ -18,8 +18,6 @@ _MEASURED = "overlap", "outside", "too close"
 
 
 class WorstFirst(NamedTuple):
-    """A fault and its measure."""
-
     fault: Fault
     square: Fraction | None  # the squared depth, or the squared distance of parts too close
     accepted: bool = False  # whether it is within the accepted depth
