@@ -1,4 +1,4 @@
-"""The command line `exactsweep`, with one module per command."""
+"""The command line `exactsweep`."""
 
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
@@ -10,25 +10,18 @@ from typing import Any
 import click
 
 from exactsweep import __version__
-from exactsweep.cli.help import add_examples, name_reading_options
-from exactsweep.cli.limits import add_limits
+from exactsweep.cli.help import add_examples, add_limits, name_reading_options
 from exactsweep.words import spell_out
 
-_NAMES = (
-    *(
-        "batch",
-        "compare",
-        "conform",
-        "convert",
-        "corpus",
-        "draw",
-        "example",
-        "explain",
-        "help",
-        "ifp",
-    ),
-    *("judge", "layout", "lesson", "nfp", "overlap", "reproduce", "sum", "sweep", "verify", "view"),
-)
+# The commands, each with its module.
+_COMMANDS = {
+    name: name for name in ("batch", "convert", "corpus", "help", "layout", "reproduce", "verify")
+}
+_COMMANDS |= dict.fromkeys(("compare", "conform", "judge"), "conform")
+_COMMANDS |= dict.fromkeys(("draw", "explain", "sweep", "view"), "sweep")
+_COMMANDS |= dict.fromkeys(("example", "lesson"), "example")
+_COMMANDS |= dict.fromkeys(("ifp", "nfp"), "positions")
+_COMMANDS |= dict.fromkeys(("overlap", "sum"), "shapes")
 # Maximum length of a usage error, which quotes the argument.
 _LONGEST = 1000
 
@@ -37,20 +30,22 @@ class _Modules(Mapping[str, click.Command]):
     """The commands by name, each imported on first use."""
 
     def __iter__(self) -> Iterator[str]:
-        return iter(_NAMES)
+        return iter(sorted(_COMMANDS))
 
     def __len__(self) -> int:
-        return len(_NAMES)
+        return len(_COMMANDS)
 
     def __getitem__(self, name: str) -> click.Command:
-        if name not in _NAMES:
+        if name not in _COMMANDS:
             raise KeyError(name)
         return _load(name)
 
 
 @cache
 def _load(name: str) -> click.Command:
-    command: click.Command = getattr(import_module(f"exactsweep.cli.{name}"), f"{name}_command")
+    command: click.Command = getattr(
+        import_module(f"exactsweep.cli.{_COMMANDS[name]}"), f"{name}_command"
+    )
     add_examples(command)
     add_limits(command)
     name_reading_options(command)
@@ -73,7 +68,7 @@ class _Commands(click.Group):
         self, ctx: click.Context, args: list[str]
     ) -> tuple[str | None, click.Command | None, list[str]]:
         name = args[0]
-        if name not in _NAMES and ("." in name or "/" in name):
+        if name not in _COMMANDS and ("." in name or "/" in name):
             ctx.fail(f"{name!r} is a file; a command comes first, as in 'exactsweep sweep A B'.")
         return super().resolve_command(ctx, args)
 

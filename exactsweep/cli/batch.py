@@ -1,5 +1,3 @@
-"""The command `exactsweep batch`."""
-
 from __future__ import annotations
 
 import os
@@ -7,11 +5,11 @@ from typing import TYPE_CHECKING
 
 import click
 
-from exactsweep.cli.export import takes_rounding
 from exactsweep.cli.options import PATH, checked, requires_output, takes_file, takes_workers
 from exactsweep.cli.output import report_limit, write
 from exactsweep.cli.pair import ReadingOptions, takes_reading
 from exactsweep.cli.parts import find_parts
+from exactsweep.cli.result import takes_rounding
 from exactsweep.cli.working import show_bar
 from exactsweep.formats import FormatError, show_path
 from exactsweep.formats.exact_json import measure_file
@@ -36,8 +34,8 @@ def _to_degrees(text: str) -> list[str]:
         if turn.exact is None:
             cosine, sine = map(format_fraction, turn.near()[:2])
             click.echo(
-                f"{word} degrees: rotated by the cosine {cosine} and the sine {sine}, each within "
-                f"2^-{TURN_BITS}",
+                f"{word} degrees: rotated with the rational cosine {cosine} and sine {sine}, each "
+                f"within 2^-{TURN_BITS} of the true value",
                 err=True,
             )
     return found
@@ -71,7 +69,7 @@ def _to_degrees(text: str) -> list[str]:
     "--rotations",
     callback=checked(_to_degrees),
     metavar="DEGREES",
-    help="With --all: rotate each generatrix by these degrees, such as 0,90,180,270. If the cosine "
+    help="With --all: rotate each generatrix by these angles, such as 0,90,180,270. If the cosine "
     "of an angle is irrational, standard error states the rational approximation.",
 )
 @click.option("--restart", is_flag=True, help="Discard the records of an interrupted batch.")
@@ -100,12 +98,12 @@ def batch_command(
     Standard error lists skipped elements.
 
     --round rounds all numbers to decimals; --round-outward rounds them so that no loop permits an
-    overlap. Records of --compute nfp are those of 'exactsweep nfp --json', with the generatrix as
-    the orbiting polygon.
+    overlap. --compute nfp writes the same records as 'exactsweep nfp --json', with the generatrix
+    as the orbiting polygon.
 
-    Records are in the order of the pairs; for a rejected pair, the record states the reason. After
+    Records are in the order of the pairs; the record of a refused pair states the reason. After
     any interruption, the same command resumes the batch. Until the batch is complete, the records
-    are in FILE.part. The exit code is 1 if all pairs are rejected.
+    are in FILE.part. The exit code is 1 if all pairs are refused.
 
     Example:
       exactsweep batch --all parts.dxf sheets.json -o results.jsonl
@@ -139,8 +137,8 @@ def batch_command(
     else:
         first = _parts(lists[0], reading)
         second = first if lists[0] == lists[1] else _parts(lists[1], reading)
-        turned = first if rotations is None else rotate_parts(first, rotations)
-        job = take_all_pairs(turned, second, what, rounding)
+        rotated = first if rotations is None else rotate_parts(first, rotations)
+        job = take_all_pairs(rotated, second, what, rounding)
     done = 0
     try:
         with show_bar(job.total) as show:
@@ -170,11 +168,10 @@ def batch_command(
     if output.endswith(".jsonl"):
         report_limit(max(measure_file(output), FAULT * summary.refused), output)
     if summary.pairs and summary.refused == summary.pairs:
-        raise click.ClickException(f"all pairs were refused; {show_path(output)} has the reasons")
+        raise click.ClickException(f"all pairs were refused; {show_path(output)} states why")
 
 
 def _require_new(output: str, paths: Sequence[str]) -> None:
-    """Reject an output file that is also an input."""
     files = (file for path in paths for file in find_files(split_choice(path)[0]))
     read = {os.path.realpath(file) for file in files if file != "-"}
     for name in (output, f"{output}.part", f"{output}.job"):

@@ -1,4 +1,4 @@
-"""Shell completion of the names of cases, flags, families, claims and verdicts."""
+"""Shell completion of names."""
 
 import os
 from collections.abc import Callable, Iterable
@@ -8,18 +8,15 @@ import click
 from click.shell_completion import CompletionItem
 
 Offer = Callable[[click.Context, click.Parameter, str], list[CompletionItem]]
-"""A click completion function."""
-
 
 CASES = "exactsweep.corpus.shipped:list_ids"
 THEMES = "exactsweep.corpus:themes"
 FLAGS = "exactsweep.corpus:notes"
 FAMILIES = "exactsweep.corpus:FAMILIES"
 CLASSES = "exactsweep.corpus.case:KINDS"
-"""Import paths of names, or of functions that list them, resolved when the user presses Tab."""
+"""Import paths of lists of names, or of functions that return them, resolved on completion."""
 
 Source = str | Callable[[], Iterable[str]]
-"""An import path, or a function that lists names."""
 
 
 def list_names(source: Source) -> Iterable[str]:
@@ -35,14 +32,12 @@ def list_claims() -> Iterable[str]:
 
 
 def list_verdicts() -> list[str]:
-    """List the verdicts that `--accept` allows."""
     from exactsweep.conform.judge.verdict import Verdict
 
     return [verdict.value for verdict in Verdict if verdict.is_judgement]
 
 
 def list_filters() -> Iterable[str]:
-    """List the filters of cases with their values."""
     yield "id="
     yield "size="
     yield from (f"class={kind}" for kind in list_names(CLASSES))

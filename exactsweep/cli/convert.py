@@ -1,13 +1,11 @@
-"""The command `exactsweep convert`."""
-
 from pathlib import PurePath
 
 import click
 
-from exactsweep.cli.export import export, takes_rounding
 from exactsweep.cli.options import PATH, takes_output
 from exactsweep.cli.pair import ReadingOptions, keep_coordinates, takes_reading
 from exactsweep.cli.parts import read_named
+from exactsweep.cli.result import export, takes_rounding
 from exactsweep.formats import FORMATS, FormatError, show_path
 from exactsweep.formats.rounding import Rounding, Side
 from exactsweep.geometry.canonical import PolygonError
@@ -57,7 +55,7 @@ def convert_command(
         raise click.UsageError(f"Give a format: --to {', '.join(FORMATS)}.")
     polygons = read_named(files, reading, keep=True)
     keep_coordinates(polygons.coordinates)
-    # Without --round-outward, either side is acceptable.
+    # Without --round-outward, boundaries may move to either side.
     side: Side = "closest"
     if rounding is not None and rounding.outward:
         side = "inward" if free else "outward"

@@ -1,24 +1,23 @@
-"""The command `exactsweep corpus`."""
-
-from __future__ import annotations
-
 import json
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from functools import partial
 from itertools import chain, islice
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import click
 
+from exactsweep import corpus
 from exactsweep.cli import complete
 from exactsweep.cli.complete import offer
 from exactsweep.cli.options import gather, takes_output
 from exactsweep.cli.output import write
+from exactsweep.corpus import export, publish
+from exactsweep.corpus.case_json import case_to_line
+from exactsweep.corpus.describe import describe
+from exactsweep.corpus.layouts import find_layout_case, find_path_case, layout_cases, path_cases
+from exactsweep.corpus.shipped import list_ids, list_summaries, read_schema, require_start
 from exactsweep.words import count
-
-if TYPE_CHECKING:
-    from exactsweep.corpus import Case
 
 
 @click.group("corpus")
@@ -52,7 +51,6 @@ _takes_filters = gather(
     ),
     click.option("--max-size", type=click.IntRange(min=0), help="Maximum number of vertices."),
 )
-"""Decorator: the options that select cases, as `filters`, keyword arguments of `cases`."""
 
 
 def _is_any(filters: dict[str, Any]) -> bool:
@@ -79,20 +77,19 @@ def list_command(names: tuple[str, ...], prefix: str | None, filters: dict[str, 
       exactsweep corpus list --class MM --max-size 20
       exactsweep corpus list families
     """
-    from exactsweep.corpus import FAMILIES, notes, themes
-    from exactsweep.corpus.shipped import list_summaries, require_start
-
     what = names[0] if len(names) == 1 and names[0] in _LISTS else "cases"
     starts = [prefix or ""] if names in ((), ("cases",)) else names
     if what != "cases" and (prefix or _is_any(filters)):
         raise click.UsageError("The options are only for cases.")
     match what:
         case "themes":
-            rows: Iterable[tuple[str, ...]] = themes().items()
+            rows: Iterable[tuple[str, ...]] = corpus.themes().items()
         case "flags":
-            rows = ((flag, note.meaning) for flag, note in notes().items())
+            rows = ((flag, note.meaning) for flag, note in corpus.notes().items())
         case "families":
-            rows = ((family.name, family.level, family.summary) for family in FAMILIES.values())
+            rows = (
+                (family.name, family.level, family.summary) for family in corpus.FAMILIES.values()
+            )
         case _:
             rows = (
                 (case.id, case.kind, f"{case.size:3}", case.title)
@@ -117,11 +114,7 @@ def show_command(name: str, as_json: bool) -> None:
     Example:
       exactsweep corpus show directions-y
     """
-    from exactsweep.corpus import find_case
-    from exactsweep.corpus.case_json import case_to_line
-    from exactsweep.corpus.describe import describe
-
-    write(case_to_line(find_case(name)) if as_json else describe(name), "-")
+    write(case_to_line(corpus.find_case(name)) if as_json else describe(name), "-")
 
 
 @corpus_command.command("layouts")
@@ -137,8 +130,6 @@ def layouts_command(name: str | None, as_json: bool) -> None:
       exactsweep corpus layouts layouts-slot
       exactsweep corpus layouts --json
     """
-    from exactsweep.corpus.layouts import find_layout_case, layout_cases
-
     found = [*layout_cases()] if name is None else [find_layout_case(name)]
     if as_json:
         rows = ({"id": one.id, "layout": one.data, "expected": one.expected} for one in found)
@@ -162,8 +153,6 @@ def paths_command(name: str | None, as_json: bool) -> None:
       exactsweep corpus paths paths-slot
       exactsweep corpus paths --json
     """
-    from exactsweep.corpus.layouts import find_path_case, path_cases
-
     found = [*path_cases()] if name is None else [find_path_case(name)]
     if as_json or name is not None:
         write("".join(f"{json.dumps(one.data)}\n" for one in found), "-")
@@ -204,10 +193,7 @@ def export_command(names: tuple[str, ...], filters: dict[str, Any], form: str, o
     Example:
       exactsweep corpus export directions --to svg -o directions.svg
     """
-    from exactsweep.corpus import export
-    from exactsweep.corpus.case_json import case_to_line
-
-    writers: dict[str, Callable[[Iterable[Case]], Iterable[str]]] = {
+    writers: dict[str, Callable[[Iterable[corpus.Case]], Iterable[str]]] = {
         "json": partial(map, case_to_line),
         "wkt": export.cases_to_wkt,
         "geojson": export.cases_to_geojson,
@@ -230,8 +216,6 @@ def release_command(output: str) -> None:
     Example:
       exactsweep corpus release -o answers
     """
-    from exactsweep.corpus import publish
-
     folder = Path(f"exactsweep-corpus-{publish.VERSION}" if output == "-" else output)
     click.echo(f"{folder}: {count(publish.write_corpus(folder), 'file')}", err=True)
 
@@ -255,10 +239,7 @@ def generate_command(families: tuple[str, ...], seed: int, count: int) -> None:
     Example:
       exactsweep corpus generate --family notched --seed 1 --count 100
     """
-    from exactsweep.corpus import FAMILIES, generate
-    from exactsweep.corpus.case_json import case_to_line
-
-    streams = [generate(family, seed) for family in families or FAMILIES]
+    streams = [corpus.generate(family, seed) for family in families or corpus.FAMILIES]
     for case in islice(chain.from_iterable(zip(*streams, strict=True)), count):
         write(case_to_line(case), "-")
 
@@ -270,21 +251,16 @@ def schema_command() -> None:
     Example:
       exactsweep corpus schema
     """
-    from exactsweep.corpus.shipped import read_schema
-
     write(read_schema(), "-")
 
 
-def _choose(names: tuple[str, ...], filters: dict[str, Any]) -> Iterator[Case]:
-    """Return the named cases, lazily; wrong names raise an error immediately."""
-    from exactsweep.corpus import cases, find_case
-    from exactsweep.corpus.shipped import list_ids, require_start
-
+def _choose(names: tuple[str, ...], filters: dict[str, Any]) -> Iterator[corpus.Case]:
+    """Return the named cases lazily; reject wrong names at once."""
     ids = list_ids()
-    found: list[Iterable[Case]] = [
-        [find_case(name)]
+    found: list[Iterable[corpus.Case]] = [
+        [corpus.find_case(name)]
         if name in ids or name.startswith("gen-")
-        else cases(prefix=require_start(name, *_LISTS), **filters)
+        else corpus.cases(prefix=require_start(name, *_LISTS), **filters)
         for name in names or ("",)
     ]
     return chain.from_iterable(found)

@@ -1,5 +1,3 @@
-"""The command `exactsweep example`."""
-
 from pathlib import Path
 
 import click
@@ -37,3 +35,22 @@ def example_command(name: str | None, output: str) -> None:
         raise FormatError(f"{show_path(output)}: already exists")
     program = files("exactsweep.conform.examples").joinpath(name)
     write(program.read_text(encoding="utf-8"), output)
+
+
+@click.command("lesson")
+@click.argument("name", required=False)
+@takes_output
+def lesson_command(name: str | None, output: str) -> None:
+    """Write a lesson as an HTML page, with its code and pictures.
+
+    Lessons are notebooks; the page shows their stored output. Without NAME, lists the lessons.
+
+    Example:
+      exactsweep lesson gallery -o gallery.html
+    """
+    from exactsweep.lessons import list_titles, render_lesson
+
+    if name is None:
+        write("".join(f"{key:<8}  {title}\n" for key, title in list_titles().items()), output)
+    else:
+        write(render_lesson(name), output)

@@ -1,5 +1,3 @@
-"""The command `exactsweep layout`."""
-
 from __future__ import annotations
 
 import json
@@ -11,8 +9,7 @@ from typing import TYPE_CHECKING, Any, Literal, NamedTuple
 
 import click
 
-from exactsweep.cli.layout_curves import judge_found, refine_curves
-from exactsweep.cli.layout_rows import LayoutRow, judge_file, list_notes, write_rows
+from exactsweep.cli import judging
 from exactsweep.cli.options import PATH, checked, gather, takes_file, takes_output, takes_workers
 from exactsweep.cli.output import measure_columns, write, write_readable
 from exactsweep.cli.pair import ReadingOptions, takes_reading
@@ -46,22 +43,16 @@ def _make_gaps(spacing: Fraction | None, margin: Fraction | None) -> dict[str, s
 
 
 class _Rules(NamedTuple):
-    """The accepted depth, and whether unjudged rules fail."""
-
     accept: Fraction | None
     strict: bool
 
 
 class _TableOptions(NamedTuple):
-    """The outlines of the parts of a table of placements, and the unit of angles."""
-
     part: str | None
     turns_in: str
 
 
-class _Wanted(NamedTuple):
-    """The requested outputs of a layout, and their files."""
-
+class _Outputs(NamedTuple):
     as_json: bool
     everything: bool
     certificate: str | None
@@ -72,7 +63,6 @@ class _Wanted(NamedTuple):
     output: str
 
     def list_files(self) -> list[str | None]:
-        """List the files; None stands for an output that is not requested."""
         return [self.certificate, self.html, self.svg, self.repair, self.shrink]
 
 
@@ -132,14 +122,14 @@ class _Wanted(NamedTuple):
         "--accept",
         callback=checked(to_gap),
         metavar="DEPTH",
-        help="Accept overlaps up to this depth, and distances too small by at most this amount.",
+        help="Accept overlaps up to this depth, and distances short by at most this amount.",
     ),
     click.option("--strict", is_flag=True, help="Exit with 3 if a rule of the file is not judged."),
 )
 @takes_reading
 @gather(
-    "wanted",
-    _Wanted,
+    "outputs",
+    _Outputs,
     click.option("--json", "as_json", is_flag=True, help="Write the exact judgement as JSON."),
     click.option("--all", "everything", is_flag=True, help="List all faults."),
     takes_file(
@@ -165,7 +155,7 @@ def layout_command(
     gaps: dict[str, str],
     rules: _Rules,
     reading: ReadingOptions,
-    wanted: _Wanted,
+    outputs: _Outputs,
     workers: int | None,
 ) -> None:
     """Judge the output of a nesting program.
@@ -178,14 +168,14 @@ def layout_command(
     file lacks. Each sheet of a file is a separate layout; FILE#0 is the first.
 
     A layout is valid if all parts are inside the container and clear of its defects, no two parts
-    overlap, all distances are kept, and the number, the rotations and the mirroring of parts obey
-    the rules. The report lists the faults, the worst first, each with its proof, its measure and
+    overlap, all minimum distances are kept, and the number, the rotations and the mirroring of the
+    parts obey the rules. The report lists the faults, worst first, each with a proof, a measure and
     the shortest move that repairs it. If most of a layout is wrong, the command tries other
     conventions: radians, another center, another sign, Y downward, another scale.
 
     In drawings, outlines inside others are holes, outlines in a hole are parts, and so on; with
     --flat, each outline is a part. --layer and --ignore-layer select layers. The report lists all
-    rules and shapes that are not judged.
+    rules and shapes that were not judged.
 
     The exit code is 0 only if all layouts are valid, or all faults are within --accept.
 
@@ -199,7 +189,7 @@ def layout_command(
     """
     from exactsweep.formats.layouts import read_layouts
 
-    require_own_files([*wanted.list_files(), wanted.output])
+    require_own_files([*outputs.list_files(), outputs.output])
     found = [path for given in files for path in find_files(given)]
     if "-" in found and len(found) > 1:
         raise click.UsageError("Standard input (-) cannot be combined with other files.")
@@ -212,28 +202,28 @@ def layout_command(
             y_down = reading["y_down"]
             if y_down is None:
                 y_down = found[0].split("#")[0].lower().endswith(".svg")
-            code = _judge_one(layouts[0], gaps, rules, show_path(found[0]), wanted, y_down=y_down)
+            code = _judge_one(layouts[0], gaps, rules, show_path(found[0]), outputs, y_down=y_down)
             sys.exit(code)
-    if any(wanted.list_files()):
+    if any(outputs.list_files()):
         raise click.UsageError(
             "--certificate, --html, --svg, --repair and --shrink are for a single layout."
         )
     if layouts:
-        rows = judge_file(found[0], lambda: layouts, gaps, rules.accept)
+        rows = judging.judge_file(found[0], lambda: layouts, gaps, rules.accept)
     else:
         rows = [*_judge_all(found, options, gaps, rules.accept, workers)]
-    if wanted.as_json:
+    if outputs.as_json:
         text = json.dumps([row._asdict() for row in rows], indent=1) + "\n"
     else:
-        text = write_rows(rows, measure_columns(wanted.output))
-    write(text, wanted.output)
-    good = all(row.valid or row.accepted for row in rows)
+        text = judging.write_rows(rows, measure_columns(outputs.output))
+    write(text, outputs.output)
+    passed = all(row.valid or row.accepted for row in rows)
     unchecked = any(row.unchecked for row in rows)
-    sys.exit(_find_code(rules, good=good, unchecked=unchecked))
+    sys.exit(_find_exit_code(rules, passed=passed, unchecked=unchecked))
 
 
-def _find_code(rules: _Rules, *, good: bool, unchecked: bool) -> int:
-    return 1 if not good else _UNCHECKED if rules.strict and unchecked else 0
+def _find_exit_code(rules: _Rules, *, passed: bool, unchecked: bool) -> int:
+    return 1 if not passed else _UNCHECKED if rules.strict and unchecked else 0
 
 
 def _judge_one(
@@ -241,82 +231,81 @@ def _judge_one(
     gaps: Mapping[str, str],
     rules: _Rules,
     title: str,
-    wanted: _Wanted,
+    outputs: _Outputs,
     *,
     y_down: bool,
 ) -> int:
-    """Judge a layout, write the requested outputs, and return the exit code."""
     from exactsweep.layout import LayoutError, report
 
     placed = len(found.data["placements"])
-    with working(f"judging {placed} placements") as tell:
-        coarse = judge_found(found, gaps, title)
-        # Another convention explains deep faults only, and those need no finer curves.
-        notes = list_notes(found, coarse)
-        judgement = refine_curves(found, coarse, gaps, title)
+    with working(f"judging {placed} placements") as update:
+        coarse = judging.judge_found(found, gaps, title)
+        # Other conventions explain only deep faults, and those need no finer curves.
+        notes = judging.list_notes(found, coarse)
+        judgement = judging.refine_curves(found, coarse, gaps, title)
         context = report.ReportContext(found.unchecked, found.places, found.unit, rules.accept)
         ranked = report.rank_faults(
-            judgement, lambda k, n: tell(f"measuring fault {k + 1} of {n}"), rules.accept
+            judgement, lambda k, n: update(f"measuring fault {k + 1} of {n}"), rules.accept
         )
-        tell("writing")
+        update("writing")
         shown: dict[str, Any] = {"y_down": y_down, "context": context}
-        if wanted.html:
+        if outputs.html:
             page = report.write_layout_page(judgement, ranked, title, notes, **shown)
-            write(page, wanted.html)
-        if wanted.svg:
-            write(report.draw_layout(judgement, ranked, title, **shown), wanted.svg)
-        if wanted.certificate:
+            write(page, outputs.html)
+        if outputs.svg:
+            write(report.draw_layout(judgement, ranked, title, **shown), outputs.svg)
+        if outputs.certificate:
             try:
-                write_readable(json.dumps(judgement.certificate()) + "\n", wanted.certificate)
+                write_readable(json.dumps(judgement.certificate()) + "\n", outputs.certificate)
             except LayoutError as error:
                 click.echo(f"{title}: {error}", err=True)
-        if wanted.repair:
-            tell("repairing")
-            notes.append(_repair(judgement, wanted.repair, context))
-        if wanted.shrink:
-            notes.append(_shrink(judgement, wanted.shrink, context))
-        if wanted.as_json:
+        if outputs.repair:
+            update("repairing")
+            notes.append(_repair(judgement, outputs.repair, context))
+        if outputs.shrink:
+            notes.append(_shrink(judgement, outputs.shrink, context))
+        if outputs.as_json:
             text = report.write_layout_json(judgement, notes, ranked, context)
         else:
-            columns, everything = measure_columns(wanted.output), wanted.everything
+            columns, everything = measure_columns(outputs.output), outputs.everything
             text = report.report_layout(
                 judgement, ranked, columns, notes=notes, everything=everything, context=context
             )
-    write(text, wanted.output)
-    good = all(one.accepted for one in ranked)
-    return _find_code(rules, good=good, unchecked=bool(found.unchecked))
+    write(text, outputs.output)
+    passed = all(one.accepted for one in ranked)
+    return _find_exit_code(rules, passed=passed, unchecked=bool(found.unchecked))
 
 
 def _repair(judgement: Judgement, path: str, context: ReportContext) -> str:
-    """Write a repaired layout, if one is found, and describe the moves."""
     from exactsweep.layout.repaired import repair_layout
     from exactsweep.text.report import approximate, take_root
 
     repaired = repair_layout(judgement)
     if repaired is None:
-        return f"no repair by small moves found; {show_path(path)} is not written"
+        return f"no repair by small moves found; {show_path(path)} was not written"
     write_readable(json.dumps(repaired.layout.to_json()) + "\n", path)
     if not repaired.moves:
-        return f"the layout is valid; it is unchanged in {show_path(path)}"
+        return f"the layout is valid; {show_path(path)} has it unchanged"
     longest = approximate(take_root(repaired.longest_squared), up=True)
     moved = f"{count(len(repaired.moves), 'placement')} moved by at most"
     return f"repaired in {show_path(path)}: {moved} {context.add_unit(longest)}; judged valid"
 
 
 def _shrink(judgement: Judgement, path: str, context: ReportContext) -> str:
-    """Write a layout with a smaller container, and describe the proved slack."""
     from exactsweep.layout.slack import find_slack
     from exactsweep.text.report import approximate
 
     found = find_slack(judgement)
     if found is None:
-        return "no slack: the layout is not valid, or its container is not convex, or has defects"
+        return (
+            "no slack proved: the layout is invalid, or its container is not convex or has defects"
+        )
     write_readable(json.dumps(found.layout.to_json()) + "\n", path)
     less = approximate(1 - found.scale)
     growth = context.add_unit(approximate(found.growth))
     return (
-        f"proved slack: the container shrinks by {less} of its size (in {show_path(path)}), "
-        f"or the parts grow by {growth}"
+        f"proved slack: the container can shrink by {less} of its size (see {show_path(path)}), "
+        f"or the parts can grow by {growth}"
     )
 
 
@@ -326,15 +315,17 @@ def _judge_all(
     gaps: Mapping[str, str],
     accept: Fraction | None,
     workers: int | None,
-) -> Iterator[LayoutRow]:
-    """Judge the layouts of several files in parallel, in order."""
+) -> Iterator[judging.LayoutRow]:
+    """Judge the layouts of several files in parallel; yield the rows in order."""
     from exactsweep.formats.layouts import read_layouts
     from exactsweep.processes import Pool, count_cores
 
     pool = Pool(min(workers or count_cores(), len(paths)), set_limits, get_limits())
     try:
         jobs = [
-            pool.submit(judge_file, path, partial(read_layouts, path, **options), gaps, accept)
+            pool.submit(
+                judging.judge_file, path, partial(read_layouts, path, **options), gaps, accept
+            )
             for path in paths
         ]
         with show_bar(len(jobs)) as show:

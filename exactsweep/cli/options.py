@@ -1,4 +1,4 @@
-"""Building blocks of options: value checks, and options combined into one argument."""
+"""Building blocks of options."""
 
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
@@ -9,14 +9,13 @@ from typing import Any
 import click
 
 Decorator = Callable[[Callable[..., None]], Callable[..., None]]
-"""One or more click options or arguments."""
 
-# The readers report unreadable files; click would report a usage error.
+# Unreadable files are errors of the readers, not usage errors of click.
 PATH = click.Path(allow_dash=True, readable=False)
 
 
 @contextmanager
-def name_mistakes() -> Iterator[None]:
+def as_usage_errors() -> Iterator[None]:
     """Turn a ValueError into a usage error that names the option."""
     try:
         yield
@@ -25,20 +24,17 @@ def name_mistakes() -> Iterator[None]:
 
 
 def checked(read: Callable[[Any], object]) -> Callable[..., object]:
-    """Make an option callback that converts a value, turning a ValueError into a usage error."""
+    """Make an option callback that converts a value; a ValueError becomes a usage error."""
 
     def callback(ctx: click.Context, option: click.Parameter, given: Any) -> object:
-        with name_mistakes():
+        with as_usage_errors():
             return None if given is None else read(given)
 
     return callback
 
 
 def gather(name: str, make: Callable[..., object], *options: Decorator) -> Decorator:
-    """Make a decorator that adds options to a command and combines their values into one argument.
-
-    `make` receives the values by name. `options` may include other such decorators.
-    """
+    """Make a decorator that adds options to a command and passes their values as `make(...)`."""
     wanted = signature(make).parameters
 
     def decorated(command: Callable[..., None]) -> Callable[..., None]:
@@ -66,11 +62,9 @@ def takes_workers(help: str) -> Decorator:
 takes_output = click.option(
     "-o", "--output", type=PATH, default="-", metavar="FILE", help="Write to a file."
 )
-"""Decorator: the option -o FILE, as `output`, with default "-"."""
 
 
 def requires_output(help: str, read: Callable[[Any], object] = str) -> Decorator:
-    """Add the required option -o FILE, checked by `read`."""
     names = ("-o", "--output")
     return click.option(
         *names, type=PATH, required=True, callback=checked(read), metavar="FILE", help=help

@@ -15,26 +15,24 @@ from exactsweep.formats.size import find_needed_mib
 
 
 def measure_terminal(output: str) -> os.terminal_size | None:
-    """Return the size of the terminal, or None if the output is not a terminal."""
     if output == "-" and sys.stdout is not None and sys.stdout.isatty():
         return get_terminal_size()
     return None
 
 
 def measure_columns(output: str) -> int | None:
-    """Return the width of the terminal, or None if the output is not a terminal."""
+    """Return the width of the terminal, or None if the output goes elsewhere."""
     terminal = measure_terminal(output)
     return terminal and terminal.columns
 
 
 def write_readable(text: str, output: str) -> None:
-    """Write output for other commands, and report the size limit needed to read it."""
+    """Write output that other commands read, and report the size limit that this requires."""
     write(text, output)
     report_limit(measure_written(text), output)
 
 
 def report_limit(size: int, output: str) -> None:
-    """Report the limit needed to read an output of some bytes, if it exceeds the default."""
     needed = find_needed_mib(size)
     if needed is not None:
         name = "standard output" if output == "-" else show_path(output)
@@ -43,7 +41,7 @@ def report_limit(size: int, output: str) -> None:
 
 @contextmanager
 def replace_file(output: str) -> Iterator[str]:
-    """Yield a temporary file that replaces the output when complete; yield a device itself."""
+    """Yield a temporary file that replaces the output on success, but a device as it is."""
     path = Path(output).resolve()
     folder = path.parent
     in_place = path.exists() and not (path.is_file() and os.access(folder, os.W_OK))
@@ -61,7 +59,6 @@ def replace_file(output: str) -> Iterator[str]:
 
 
 def write(text: str, output: str) -> None:
-    """Write to a file or to standard output; raise FormatError if that fails."""
     try:
         if output != "-":
             with replace_file(output) as path:

@@ -6,16 +6,7 @@ from typing import Any
 
 import click
 
-from exactsweep import (
-    InnerFit,
-    NoFitPolygon,
-    Point,
-    Region,
-    Sweep,
-    inner_fit_polygon,
-    no_fit_polygon,
-    sweep,
-)
+from exactsweep import InnerFit, NoFitPolygon, Point, Region, Sweep
 from exactsweep.cli.help import ReadingOption
 from exactsweep.cli.options import PATH, Decorator, checked, gather
 from exactsweep.cli.parts import find_parts, print_notes, read_named, report_error, report_skipped
@@ -31,15 +22,15 @@ from exactsweep.geometry.direction import DirectionError, Vector, read_direction
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.numbers.error import prefix_errors
 from exactsweep.numbers.number import to_fraction
+from exactsweep.sweep import inner_fit_polygon, no_fit_polygon, sweep
 from exactsweep.words import count
 
-# A CM sweep with one undercut. All loops have finite decimal coordinates, so every output format
-# can represent them.
+# The example: a CM sweep with one undercut, whose loops have finite decimal coordinates, so that
+# every output format can represent them.
 GENERATRIX = Polygon([(0, 0), (2, 0), (2, 1), (1, 2), (0, 1)])
 DIRECTRIX = Polygon([(0, 0), (8, 0), (8, 5), (7, 5), (3, 1), (2, 5), (0, 5)])
 
 ReadingOptions = dict[str, Any]
-"""Keyword arguments of the readers: "tolerance" and `Options`."""
 
 _COORDINATES = "exactsweep.coordinates"
 _ERRORS = "exactsweep.errors"
@@ -47,7 +38,6 @@ _NONE = Fraction(0)
 
 
 def to_point(pair: Iterable[str]) -> Point:
-    """Convert the two values of a point option."""
     return Point(*map(to_fraction, pair))
 
 
@@ -135,7 +125,6 @@ takes_reading = gather(
         cls=ReadingOption,
     ),
 )
-"""Decorator: the options for reading files, as `reading`, a dict of arguments."""
 
 
 def _make_reference(help: str) -> Decorator:
@@ -163,7 +152,6 @@ def _answer(
     reading: ReadingOptions,
     asked: str = "sweep",
 ) -> Sweep | NoFitPolygon | InnerFit:
-    """Compute the answer for the polygons of the files, or for the built-in example."""
     answer = _ASKED.get(asked)
     if generatrix is not None and directrix is not None:
         g, d = read_two(generatrix, directrix, reading)
@@ -198,7 +186,6 @@ takes_pair = gather(
     _make_reference("Point of the generatrix whose path is the trajectory"),
     takes_reading,
 )
-"""Decorator: the arguments and options of a pair, as `result`, its Sweep."""
 
 
 takes_question = click.option(
@@ -209,16 +196,12 @@ takes_question = click.option(
     help="Show a sweep; the no-fit polygon of STATIONARY and ORBITING; or the inner fit of "
     "CONTAINER and PART, in this order.",
 )
-"""Decorator: the option --of, for commands with `takes_pair`."""
 
 
 def takes_shapes(
     first: str, second: str, read: Callable[..., object], *options: Decorator
 ) -> Decorator:
-    """Add two polygons, of which the second moves, as `shapes`.
-
-    `read` is a function of "stays", "moves", "reading" and the values of the additional `options`.
-    """
+    """Add a stationary and a moving polygon, which `read` converts to the argument `shapes`."""
     return gather(
         "shapes",
         read,
@@ -231,14 +214,14 @@ def takes_shapes(
 
 
 def name_files_of_pair() -> tuple[str, str] | None:
-    """Return the files of G and D of the current command, or None for the built-in example."""
+    """Return the files of G and D, or None for the built-in example."""
     named = click.get_current_context().params
     generatrix, directrix = named.get("generatrix"), named.get("directrix")
     return None if generatrix is None or directrix is None else (generatrix, directrix)
 
 
 def name_files() -> dict[str, str]:
-    """Return the files of the current command by role; empty for the built-in example."""
+    """Return the files of the current command by role, if any."""
     ctx = click.get_current_context()
     named = {one.name: one.human_readable_name.lower() for one in ctx.command.params}
     roles = {"generatrix": "moves", "directrix": "stays", "stays": "stays", "moves": "moves"}
@@ -250,7 +233,6 @@ def name_files() -> dict[str, str]:
 
 
 def coordinates_of_files() -> Coordinates:
-    """Return the direction of Y and the unit of the files read so far."""
     ctx = click.get_current_context()
     coordinates: Coordinates = ctx.meta.get(
         _COORDINATES, Coordinates(bool(ctx.params.get("y_down")))
@@ -259,7 +241,7 @@ def coordinates_of_files() -> Coordinates:
 
 
 def keep_coordinates(coordinates: Coordinates, notes: Iterable[str] = ()) -> None:
-    """Store the direction of Y and the unit for the output, and print notes."""
+    """Store the direction of Y and the unit for the output; print notes."""
     click.get_current_context().meta[_COORDINATES] = coordinates
     print_notes(notes)
 
@@ -272,7 +254,6 @@ def keep_errors(stays: Fraction, moves: Fraction = _NONE) -> None:
 
 
 def errors_of_files() -> tuple[Fraction, Fraction]:
-    """Return the curve errors of the stationary and of the moving polygons."""
     meta = click.get_current_context().meta
     found: tuple[Fraction, Fraction] = meta.get(_ERRORS, (_NONE, _NONE))
     return found
@@ -286,7 +267,6 @@ def _require_one_input(first: str, second: str) -> None:
 def read_each(
     stays: str, moves: str, reading: ReadingOptions, *, whole: bool = False
 ) -> tuple[PartList[NamedRegion], PartList[NamedRegion]]:
-    """Read the polygons of two files, folders or patterns, with a common direction of Y."""
     _require_one_input(stays, moves)
     found = [(show_path(path), read_named([path], reading, whole=whole)) for path in (stays, moves)]
     keep_coordinates(*unify_coordinates(found))
@@ -296,7 +276,7 @@ def read_each(
 def read_placed(
     stays: str, moves: str, placed: Sequence[str], reading: ReadingOptions
 ) -> tuple[Region, list[Region], list[Region]]:
-    """Read a container, a part and placed shapes; touching holes count as placed shapes."""
+    """Read a container, a part and placed shapes; touching holes become placed shapes."""
     ((one, *_), file), (others_of, its_file) = _choose_two(stays, moves, reading, groups=True)
     with working("reading"), prefix_path(file):
         first, regions = separate_holes(one)
@@ -314,7 +294,7 @@ def read_placed(
     others: list[Region] = []
     errors = [Fraction(0)]
     for part in listing.parts:
-        # Placed shapes that are not simple are errors.
+        # Skipping placed shapes that are not simple would permit overlaps.
         with prefix_errors(part.file):
             shapes = part.candidate.named_regions(said)
         others += [one.region for one in shapes]
@@ -327,15 +307,15 @@ def read_placed(
             [f"{', '.join(map(show_path, files))}: Y axis flipped to match the other files"]
         )
         others = [region.scaled((1, -1)) for region in others]
-    # A drawing of a nest has its sheet, too.
+    # The drawing of a nest may include its sheet.
     kept = [one for one in others if one.holes or one.exterior != first.exterior]
     if len(kept) < len(others):
-        print_notes([f"{', '.join(map(show_path, files))}: skipped: the outline of the container"])
+        print_notes([f"{', '.join(map(show_path, files))}: skipped the outline of the container"])
     return first, second, regions + kept
 
 
 def _read_layout(path: str, reading: ReadingOptions) -> list[Region]:
-    """Read the placed parts and defects of a JSON layout; return [] for other files."""
+    """Read the placed parts and the defects of a JSON layout; return [] for other files."""
     file = split_choice(path)[0]
     if not file.lower().endswith(".json"):
         return []
@@ -364,7 +344,6 @@ def _read_layout(path: str, reading: ReadingOptions) -> list[Region]:
 
 
 def read_two(stays: str, moves: str, reading: ReadingOptions) -> tuple[Region, Region]:
-    """Read two polygons from two files, with a common direction of Y; report skipped elements."""
     regions = []
     for (candidate, *_), file in _choose_two(stays, moves, reading):
         with working("reading"), prefix_path(file):
@@ -375,7 +354,6 @@ def read_two(stays: str, moves: str, reading: ReadingOptions) -> tuple[Region, R
 def _choose_two(
     stays: str, moves: str, reading: ReadingOptions, *, groups: bool = False
 ) -> list[tuple[PartList[Candidate], str]]:
-    """Read two polygons, or a polygon and a group; report skipped elements."""
     _require_one_input(stays, moves)
     with working("reading"):
         first = stays, read_choice(stays, **reading)

@@ -1,4 +1,4 @@
-"""Polygons of files and folders, with notes on skipped elements."""
+"""Polygons from files, folders and patterns, with notes on skipped elements."""
 
 from collections.abc import Iterable, Mapping, Sequence
 from fractions import Fraction
@@ -18,7 +18,6 @@ _MOST_REASONS = 100
 
 
 def find_parts(paths: Sequence[str], reading: Mapping[str, Any]) -> Listing:
-    """Find the polygons of files, folders and patterns; raise FormatError if there are none."""
     with working("reading"):
         listing = list_parts(paths, **reading)
     if not listing.parts:
@@ -33,10 +32,10 @@ def find_parts(paths: Sequence[str], reading: Mapping[str, Any]) -> Listing:
 def read_named(
     paths: Sequence[str], reading: Mapping[str, Any], *, keep: bool = False, whole: bool = False
 ) -> PartList[NamedRegion]:
-    """Read the polygons of files, folders and patterns; report skipped elements.
+    """Read polygons and report skipped elements.
 
-    Names are unique, unless `keep` is true and there is a single file. With `whole`, polygons that
-    are not simple are errors. Raises FormatError if nothing can be read.
+    Names are made unique, unless `keep` is true and there is a single file. With `whole`, polygons
+    that are not simple are errors.
     """
     listing = find_parts(paths, reading)
     candidates = [part.candidate for part in listing.parts]
@@ -72,14 +71,12 @@ def read_named(
 
 
 def report_error(error: Fraction, reading: Mapping[str, Any]) -> None:
-    """Report the flattening error on standard error if there were curves."""
     if error:
         how = "" if reading.get("tolerance") else " (--flatten TOLERANCE sets it)"
         print_notes([f"curves flattened within {approximate(error, up=True)}{how}"])
 
 
 def report_skipped(reasons: Sequence[str]) -> None:
-    """List skipped elements and the reasons on standard error."""
     more = len(reasons) - _MOST_REASONS
     shown = [*reasons[:_MOST_REASONS], f"{more} more"] if more > 0 else reasons
     for reason in shown:

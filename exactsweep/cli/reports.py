@@ -1,4 +1,4 @@
-"""Reports of `exactsweep conform` and `exactsweep judge`."""
+"""Options and output of `conform` and `judge`."""
 
 from __future__ import annotations
 
@@ -26,7 +26,6 @@ if TYPE_CHECKING:
 
 
 def require_own_files(paths: Sequence[str | None]) -> None:
-    """Reject a file, or standard output, that is used for two outputs."""
     if [*paths].count("-") > 1:
         raise click.UsageError("Only one report can be written to standard output.")
     files = [os.path.realpath(path) for path in paths if path not in (None, "-")]
@@ -47,7 +46,7 @@ class Reports:
     annotations: bool
 
     def __post_init__(self) -> None:
-        """Fail before a long run instead of after it."""
+        # Fail before a long run instead of after it.
         paths = [path for path in self.list_files() if path is not None]
         require_own_files(paths)
         for path in paths:
@@ -55,21 +54,16 @@ class Reports:
                 raise FormatError(f"{show_path(path)}: its folder does not exist")
 
     def list_files(self) -> list[str | None]:
-        """List the files; None stands for a report that is not requested."""
         return [self.junit, self.json, self.html, self.badge]
 
     def begin(self, hello: Hello, command: Sequence[str] = ()) -> Run:
-        """Start a run with these conditions."""
         from exactsweep.conform.judge.verdict import Verdict
         from exactsweep.conform.run.run import Run
 
         return Run(hello, command, Verdict(self.accept), self.least_judged)
 
     def write(self, run: Run) -> None:
-        """Write the table and the requested files, and exit with 1 if the run failed.
-
-        A report on standard output replaces the table. Raises FormatError if writing fails.
-        """
+        """Write the requested files, and the table if standard output is free; exit with 0 or 1."""
         from exactsweep.conform.report.text import close, write_table
 
         if "-" not in self.list_files():
@@ -95,7 +89,6 @@ class Reports:
 
 
 def to_gap(text: str) -> Fraction:
-    """Convert a number that must not be negative."""
     found = to_fraction(text)
     if found < 0:
         raise FormatError(f"{text} is negative")
@@ -111,7 +104,6 @@ def _to_share(text: str) -> Fraction:
 
 
 def _require_verdict(name: str) -> str:
-    """Reject names that are not verdicts on answers."""
     allowed = list_verdicts()
     if name not in allowed:
         raise FormatError(f"{quote(name)} is not one of: {', '.join(allowed)}")
@@ -127,7 +119,6 @@ takes_accept = click.option(
     help="Worst verdict that passes; default: 'equivalent except for exact fits', since exact fits "
     "are reported separately. With 'equivalent', they count.",
 )
-"""Decorator: the option --accept VERDICT, as `accept`."""
 
 takes_rounding = click.option(
     "--rounding",
@@ -135,7 +126,6 @@ takes_rounding = click.option(
     metavar="NUMBER",
     help="Maximum coordinate error of an answer that is still 'within'.",
 )
-"""Decorator: the option --rounding NUMBER, as `rounding`."""
 
 takes_reports = gather(
     "reports",
@@ -146,7 +136,7 @@ takes_reports = gather(
         metavar="SHARE",
         default="0",
         callback=checked(_to_share),
-        help="Fail if a smaller share of the cases is judged, such as 0.9 or 90%.",
+        help="Fail if less than this share of the cases is judged, such as 0.9 or 90%.",
     ),
     takes_file("--junit", "Write JUnit XML, for CI."),
     takes_file("--json", "Write all outcomes as JSON."),
@@ -158,4 +148,3 @@ takes_reports = gather(
         help="Print the first failures as annotations of GitHub Actions.",
     ),
 )
-"""Decorator: the options for reports, as `reports`."""

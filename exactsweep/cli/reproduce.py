@@ -1,5 +1,3 @@
-"""The command `exactsweep reproduce`."""
-
 import sys
 from pathlib import Path
 
@@ -14,7 +12,7 @@ from exactsweep.cli.complete import list_claims, offer
 @click.option(
     "--quick",
     is_flag=True,
-    help="Try a thirtieth of the pairs and smaller sizes, and skip timing.",
+    help="Try one in 30 pairs and only small sizes, and skip timing.",
 )
 @click.option(
     "--out",

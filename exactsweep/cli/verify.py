@@ -1,5 +1,3 @@
-"""The command `exactsweep verify`."""
-
 import sys
 from collections import Counter
 from pathlib import Path
@@ -51,11 +49,11 @@ def verify_command(
 
     Decides whether the certificate in FILE, or - for standard input, proves its answer: a sweep, a
     no-fit polygon, an inner fit, a sum, or the verdict on a layout. The checker is a single file
-    without dependencies, check/standalone.py. Prints "proved" and the answer; or the first
-    condition that fails, with a translation or a point as a witness, and exits with 1.
+    without dependencies, check/standalone.py. Prints "proved" and the answer; or else the first
+    condition that fails, with a translation or a point as a witness. The exit code is then 1.
 
-    With G and D, the certificate must be about these polygons: the moving and the stationary one,
-    the part and the container of an inner fit, or the shape and the path of a sum.
+    If G and D are given, the certificate must refer to these shapes: the moving and the stationary
+    polygon, the part and the container of an inner fit, or the shape and the path of a sum.
 
     'exactsweep sweep', 'nfp', 'ifp', 'sum' and 'layout' write certificates with --certificate.
 
@@ -107,17 +105,16 @@ def _read(name: str, file: str) -> Any:
 
 
 def _ask_extracted(certificate: Any, verdict: Any) -> Any:
-    """Return the verdict, or "not proved" if the extracted checker rejects the certificate."""
     from exactsweep.check.extracted import ask
 
     try:
         with working("running the extracted checker"):
             answer = ask(certificate)
     except RuntimeError as error:
-        raise click.ClickException(f"no extracted checker: {error}") from error
+        raise click.ClickException(f"cannot run the extracted checker: {error}") from error
     if answer == "accepted":
         return verdict
-    return verdict._replace(proved=False, reason=f"the extracted checker answers: {answer}")
+    return verdict._replace(proved=False, reason=f"the extracted checker reports: {answer}")
 
 
 def _describe(certificate: dict[str, Any]) -> str:

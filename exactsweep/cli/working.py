@@ -1,4 +1,4 @@
-"""Progress of long commands on a terminal: a status line or a bar."""
+"""Progress of long commands on a terminal."""
 
 from __future__ import annotations
 
@@ -12,8 +12,7 @@ if TYPE_CHECKING:
     from rich.progress import Progress
     from rich.status import Status
 
-PATIENCE = 1.0
-"""Seconds before the first progress message."""
+PATIENCE = 1.0  # seconds before progress is shown
 
 
 @contextmanager
@@ -31,35 +30,29 @@ def working(doing: str) -> Iterator[Callable[[str], None]]:
 
 @contextmanager
 def show_bar(total: int | None) -> Iterator[Callable[[int, str], None]]:
-    """Show a progress bar on a terminal after one second; yield a function that updates it."""
+    """Show a bar instead of a status line."""
     if not _has_terminal():
         yield lambda done, words: None
         return
+    from rich import progress
     from rich.console import Console
-    from rich.progress import (
-        BarColumn,
-        MofNCompleteColumn,
-        Progress,
-        TextColumn,
-        TimeRemainingColumn,
-    )
 
-    progress = Progress(
-        BarColumn(bar_width=24),
-        MofNCompleteColumn(),
-        TextColumn("{task.fields[words]}", markup=False),
-        TimeRemainingColumn(),
+    bar = progress.Progress(
+        progress.BarColumn(bar_width=24),
+        progress.MofNCompleteColumn(),
+        progress.TextColumn("{task.fields[words]}", markup=False),
+        progress.TimeRemainingColumn(),
         console=Console(stderr=True),
         transient=True,
     )
-    task = progress.add_task("", total=total, words="")
+    task = bar.add_task("", total=total, words="")
 
     def show(done: int, words: str) -> None:
-        speed = progress.tasks[task].speed
+        speed = bar.tasks[task].speed
         rate = "" if speed is None else f"{speed:.0f}/s"
-        progress.update(task, completed=done, words=words or rate)
+        bar.update(task, completed=done, words=words or rate)
 
-    with _show_later(progress):
+    with _show_later(bar):
         yield show
 
 

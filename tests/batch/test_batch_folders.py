@@ -88,7 +88,7 @@ def test_a_batch_of_rejected_pairs_fails(tmp_path: Path) -> None:
     pairs.write_text('{"generatrix": [[0,0]], "directrix": [[0,0],[1,0],[0,1]]}\n')
     done = run("batch", str(pairs), "-o", str(output), "--workers", "1")
     assert (done.exit_code, done.stdout) == (1, "1 pair, 1 refused\n")
-    assert done.stderr == f"Error: all pairs were refused; {output} has the reasons\n"
+    assert done.stderr == f"Error: all pairs were refused; {output} states why\n"
     assert len(records(output)) == 1
 
 
@@ -116,8 +116,10 @@ def test_rational_rotations_are_reported(tmp_path: Path) -> None:
     options = ("--rotations", "0,33.3", "--compute", "nfp", "-o", str(output), "--workers", "1")
     done = run("batch", "--all", str(part), str(part), *options)
     turn = read_turn("33.3").near()
-    approximation = f"the cosine {turn.cosine} and the sine {turn.sine}, each within 2^-64"
-    assert done.stderr == f"33.3 degrees: rotated by {approximation}\n"
+    approximation = (
+        f"cosine {turn.cosine} and sine {turn.sine}, each within 2^-64 of the true value"
+    )
+    assert done.stderr == f"33.3 degrees: rotated with the rational {approximation}\n"
     _, turned = records(output)
     assert turned["generatrix"] == "part.json@33.3"
     expected = no_fit_polygon(TRIANGLE, TRIANGLE.rotated((turn.cosine, turn.sine))).exterior

@@ -7,8 +7,8 @@ import pytest
 from command import refusal, run
 
 from exactsweep import Region, no_fit_polygon
-from exactsweep.cli.export import _is_safe
 from exactsweep.cli.parts import report_skipped
+from exactsweep.cli.result import _is_safe
 from exactsweep.formats import FORMATS, parse_regions, read_region
 from exactsweep.formats.candidate import NamedRegion
 from exactsweep.formats.rounding import Side, contains

@@ -130,7 +130,7 @@ def test_polygons_of_a_file_are_answered_alone_or_together(tmp_path: Path) -> No
     unit = "POLYGON ((0 0, 1 0, 1 1, 0 1, 0 0))"
     obstacles, part = save(tmp_path, obstacles=two, part=unit)
     alone = run("nfp", obstacles, part)
-    assert "2 polygons, each handled separately; --together treats all" in alone.stderr
+    assert "2 polygons, handled one by one; --together treats them" in alone.stderr
     together = run("nfp", obstacles, part, "--together", "--wkt")
     assert together.stdout == (
         "POLYGON ((-1 -1, 3 -1, 3 1, -1 1, -1 -1))\nLINESTRING (1 -1, 1 1)\n"

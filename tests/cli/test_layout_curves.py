@@ -8,8 +8,8 @@ from pathlib import Path
 
 import pytest
 
-from exactsweep.cli import layout_curves
-from exactsweep.cli.layout_curves import MOST_VERTICES, judge_finely, judge_found
+from exactsweep.cli import judging
+from exactsweep.cli.judging import MAX_VERTICES, judge_finely, judge_found
 from exactsweep.formats.layouts import FoundLayout, read_layouts
 from exactsweep.layout import Judgement
 
@@ -59,7 +59,7 @@ def _sizes(monkeypatch: pytest.MonkeyPatch) -> list[int]:
         sizes.append(_count(judgement))
         return judgement
 
-    monkeypatch.setattr(layout_curves, "judge_found", judge)
+    monkeypatch.setattr(judging, "judge_found", judge)
     return sizes
 
 
@@ -80,7 +80,7 @@ def test_curves_are_refined_up_to_a_budget(
     found = _read(tmp_path, [_plate(Decimal(10)), _plate(Decimal(x))])
     judgement = judge_finely(found, {}, "nest")
     assert [fault.kind for fault in judgement.faults] == kinds
-    assert sum(sizes[1:]) <= MOST_VERTICES
+    assert sum(sizes[1:]) <= MAX_VERTICES
     # Nothing is judged again after the verdict.
     assert sizes == sorted({*sizes})
 
@@ -91,7 +91,7 @@ def test_only_undecided_parts_are_refined(tmp_path: Path, sizes: list[int]) -> N
     assert [fault.placements for fault in judgement.faults] == [(0, 1)]
     errors = [part.error for part in judgement.layout.parts]
     assert errors[0] == errors[1] < errors[2]
-    assert sum(sizes[1:-1]) <= MOST_VERTICES
+    assert sum(sizes[1:-1]) <= MAX_VERTICES
 
 
 def test_many_contacts_share_the_budget(tmp_path: Path, sizes: list[int]) -> None:
@@ -99,7 +99,7 @@ def test_many_contacts_share_the_budget(tmp_path: Path, sizes: list[int]) -> Non
     judgement = judge_finely(_read(tmp_path, discs, 90, 60), {}, "nest")
     # Each disc touches its neighbors, and those at the border touch the sheet.
     assert Counter(fault.kind for fault in judgement.faults) == {"undecided": 67 + 12}
-    assert max(sizes) <= MOST_VERTICES + sizes[0]
+    assert max(sizes) <= MAX_VERTICES + sizes[0]
 
 
 def test_an_overlap_needs_no_pieces(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

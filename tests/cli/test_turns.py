@@ -101,5 +101,5 @@ def test_the_sheet_of_a_placed_drawing_is_no_obstacle(tmp_path: Path) -> None:
     part.write_text("[[0, 0], [5, 0], [5, 4], [0, 4]]")
     done = run("ifp", f"{drawing}#sheet", str(part), "--placed", str(drawing), "--json")
     assert done.exit_code == 0
-    assert "skipped: the outline of the container" in done.stderr
+    assert "skipped the outline of the container" in done.stderr
     assert json.loads(done.stdout)["exact_fits"]

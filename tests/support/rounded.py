@@ -12,7 +12,7 @@ from itertools import product
 from math import cos, isqrt, sin, tau
 from random import Random
 
-from exactsweep.cli.layout_curves import judge_finely
+from exactsweep.cli.judging import judge_finely
 from exactsweep.formats.decimals import format_decimal
 from exactsweep.formats.layouts import parse_layouts
 from exactsweep.numbers.number import Point
