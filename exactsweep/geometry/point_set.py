@@ -7,22 +7,18 @@ and rotations by Pythagorean triples such as (3, 4, 5).
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from fractions import Fraction
 from itertools import chain, pairwise
 from typing import TYPE_CHECKING, Any, NamedTuple, Self, overload
 
+from exactsweep.geometry.canonical import PolygonError
 from exactsweep.geometry.edges import is_inside
 from exactsweep.geometry.interface import GeoJson, make_polygon
 from exactsweep.geometry.reading import read_point
 from exactsweep.geometry.turn import TURN_BITS, read_turn
 from exactsweep.geometry.vectors import is_on_segment
-from exactsweep.numbers.error import (
-    ExactSweepError,
-    NumberError,
-    explain_type_errors,
-    require_imports,
-)
+from exactsweep.numbers.error import NumberError, explain_type_errors, quote
 from exactsweep.numbers.number import Point
 from exactsweep.words import write_pair, write_size
 
@@ -57,6 +53,9 @@ class PointSet:
 
     __slots__ = ()
 
+    _vertex_index: Sequence[int]
+    _edge_index: Sequence[int]
+
     @property
     def rings(self) -> tuple[tuple[Point, ...], ...]:
         """The vertices of each ring, the exterior first, all counter-clockwise."""
@@ -83,6 +82,31 @@ class PointSet:
         """The lower left and the upper right corner of the bounding box."""
         left, low, right, high = self.bounds
         return Point(left, low), Point(right, high)
+
+    def vertex_index(self, k: int) -> int:
+        """Return the input index of vertex k, counted across all `rings`.
+
+        The input also starts with the exterior; the holes follow in the given order. Negative k
+        count from the end. Raises PolygonError if there is no vertex k.
+        """
+        return _pick(self._vertex_index, k, "vertex")
+
+    def edge_index(self, k: int) -> int:
+        """Return the input index of edge k, from vertex k to the next of its ring.
+
+        Edges are counted as in `vertex_index`. If several collinear input edges form edge k, it is
+        the first. Raises PolygonError if there is no edge k.
+
+        Example:
+            >>> from exactsweep import Polygon
+            >>> clockwise = Polygon([(0, 0), (0, 2), (2, 0)])
+            >>> [clockwise.edge_index(k) for k in range(3)]
+            [2, 1, 0]
+        """
+        return _pick(self._edge_index, k, "edge")
+
+    def __len__(self) -> int:
+        return len(self._vertex_index)
 
     def _image(self, under: AffineMap) -> Self:
         raise NotImplementedError
@@ -111,7 +135,7 @@ class PointSet:
             axes: Axes to draw on; by default those of a new `matplotlib.pyplot` figure.
             style: properties of a `matplotlib.patches.PathPatch`, such as `color="red"`.
 
-        Raises ExactSweepError if matplotlib is not installed.
+        Raises DrawError if matplotlib is not installed.
 
         Example:
             >>> from matplotlib.figure import Figure
@@ -121,22 +145,9 @@ class PointSet:
             >>> len(axes.patches)
             1
         """
-        with require_imports("matplotlib", "a picture", ExactSweepError):
-            from matplotlib.patches import PathPatch
-            from matplotlib.path import Path
-        if axes is None:
-            from matplotlib import pyplot
+        from exactsweep.canvas.plot import plot_rings
 
-            axes = pyplot.figure().subplots()
-        exterior, *holes = self.rings
-        # Holes run clockwise, so that they are excluded.
-        rings = [exterior, *(hole[::-1] for hole in holes)]
-        paths = [Path([*map(_to_floats, (*ring, ring[0]))], closed=True) for ring in rings]
-        path = Path.make_compound_path(*paths)
-        axes.add_patch(PathPatch(path, **{"alpha": 0.5, **style}))
-        axes.set_aspect("equal")
-        axes.autoscale_view()
-        return axes
+        return plot_rings(self.rings, axes, style)
 
     def translated(self, by: Iterable[object]) -> Self:
         """Return the shape moved by a vector, a pair of numbers.
@@ -273,8 +284,12 @@ def is_on(point: Point, ring: tuple[Point, ...]) -> bool:
     return any(is_on_segment(point, a, b) for a, b in pairwise((*ring, ring[0])))
 
 
-def _to_floats(point: Point) -> tuple[float, float]:
-    return float(point.x), float(point.y)
+def _pick(numbers: Sequence[int], k: object, what: str) -> int:
+    try:
+        return numbers[k]  # type: ignore[no-any-return, call-overload]
+    except (TypeError, IndexError):
+        numbered = f"they are numbered 0 to {len(numbers) - 1}"
+        raise PolygonError(f"there is no {what} {quote(k)}: {numbered}") from None
 
 
 def _is_pair(value: object) -> bool:

@@ -17,7 +17,6 @@ from exactsweep.geometry.point_set import AffineMap, PointSet
 from exactsweep.geometry.reading import (
     read_vertices,
     reduce_lattice,
-    refuse_number,
     to_lattice,
 )
 from exactsweep.numbers.digits import abridge, write_literal
@@ -25,6 +24,7 @@ from exactsweep.numbers.number import (
     Area,
     Point,
     Vertex,
+    divide,
 )
 
 if TYPE_CHECKING:
@@ -69,50 +69,45 @@ class Polygon(PointSet):
     _monotone: bool | None
     _vertices: tuple[Point, ...] | None
     _lattice: tuple[int, tuple[Vertex, ...]] | None
-    _vertex_index: Sequence[int]
-    _edge_index: Sequence[int]
 
     def __init__(self, vertices: "Polygon | Iterable[Iterable[object]]") -> None:
         if isinstance(vertices, Polygon):
-            self._vertices, self._lattice = vertices._vertices, vertices._lattice
-            self._convex, self._monotone = vertices._convex, vertices._monotone
-            self._directions = vertices._directions
-            self._vertex_index, self._edge_index = vertices._vertex_index, vertices._edge_index
+            for name in Polygon.__slots__:
+                setattr(self, name, getattr(vertices, name))
             return
         scale, points = read_vertices(vertices)
         ring = canonicalize_ring(points)
-        self._vertices = None
-        self._lattice = reduce_lattice(scale, ring.points)
-        self._vertex_index, self._edge_index = ring.vertex_index, ring.edge_index
+        self._set(ring.points, scale, ring.vertex_index, ring.edge_index)
         self._convex, self._monotone = ring.convex, ring.monotone
-        self._directions = None
+
+    def _set(self, points: Sequence[Vertex], scale: int | None, *numbers: Sequence[int]) -> None:
+        self._vertices = self._lattice = self._convex = self._monotone = self._directions = None
+        if scale is None:
+            self._vertices = cast(tuple[Point, ...], tuple(points))
+        else:
+            self._lattice = reduce_lattice(scale, points)
+        self._vertex_index, self._edge_index = numbers
 
     @classmethod
     def _trust(
-        cls,
-        points: Sequence[Vertex],
-        scale: int | None = None,
-        vertex_index: Sequence[int] | None = None,
-        edge_index: Sequence[int] | None = None,
+        cls, points: Sequence[Vertex], scale: int | None = None, *numbers: Sequence[int]
     ) -> Self:
-        """Make a Polygon from canonical points, divided by the scale, without validation."""
+        """Make a Polygon from canonical points, divided by the scale, without validation.
+
+        Without a scale, they are Points. By default, vertices and edges are numbered in order.
+        """
         polygon = cls.__new__(cls)
-        polygon._vertices = polygon._lattice = None
-        if scale is None:
-            polygon._vertices = cast(tuple[Point, ...], tuple(points))
-        else:
-            polygon._lattice = reduce_lattice(scale, tuple(points))
-        polygon._convex = polygon._monotone = polygon._directions = None
-        polygon._vertex_index = vertex_index or range(len(points))
-        polygon._edge_index = edge_index or range(len(points))
+        polygon._set(points, scale, *(numbers or [range(len(points))] * 2))
         return polygon
 
     @property
     def vertices(self) -> tuple[Point, ...]:
         """Tuple of Point: counter-clockwise, only corners, least first, not closed."""
         if self._vertices is None:
-            scale, points = self.lattice()
-            self._vertices = tuple(Point(Fraction(x, scale), Fraction(y, scale)) for x, y in points)
+            scale, points = cast(tuple[int, Any], self.lattice())
+            if not isinstance(points[0], Point):
+                points = tuple(Point(divide(x, scale), divide(y, scale)) for x, y in points)
+            self._vertices = points
         return self._vertices
 
     @property
@@ -146,76 +141,46 @@ class Polygon(PointSet):
             self._lattice = scale, tuple(points)
         return self._lattice
 
-    def vertex_index(self, k: int) -> int:
-        """Return the input index of vertex k; negative k count from the end.
-
-        Raises PolygonError if there is no vertex k.
-        """
-        try:
-            return self._vertex_index[k]
-        except (TypeError, IndexError):
-            raise refuse_number(k, "vertex", len(self)) from None
-
-    def edge_index(self, k: int) -> int:
-        """Return the input index of edge k, from vertex k to k + 1.
-
-        If several collinear input edges form edge k, it is the first. Raises PolygonError if there
-        is no edge k.
-
-        Example:
-            >>> clockwise = Polygon([(0, 0), (0, 2), (2, 0)])
-            >>> [clockwise.edge_index(k) for k in range(3)]
-            [2, 1, 0]
-        """
-        try:
-            return self._edge_index[k]
-        except (TypeError, IndexError):
-            raise refuse_number(k, "edge", len(self)) from None
-
-    def _scaled(self) -> tuple[int, Sequence[Vertex]]:
-        """Return the lattice if known, otherwise the vertices with scale 1."""
-        return self._lattice or (1, self.vertices)
-
     @property
     def area(self) -> Fraction:
         """The area, a positive Fraction."""
-        scale, points = self._scaled()
+        scale, points = self.lattice()
         return Area(Fraction(find_doubled_area(points), 2 * scale * scale))
 
     @property
     def is_convex(self) -> bool:
         """Whether the polygon is convex."""
         if self._convex is None:
-            self._convex = min(find_turns(self._scaled()[1])) > 0
+            self._convex = min(find_turns(self.lattice()[1])) > 0
         return self._convex
 
     @property
     def is_x_monotone(self) -> bool:
         """Whether the intersection with every vertical line is connected."""
         if self._monotone is None:
-            self._monotone = are_chains_monotone(self._scaled()[1])
+            self._monotone = are_chains_monotone(self.lattice()[1])
         return self._monotone
 
     def _image(self, under: AffineMap) -> "Polygon":
         """Return the image under an affine map, with the same vertex and edge numbering."""
         old, points = self.lattice()
-        denominator = lcm(*(c.denominator for c in under[:4]))
-        scale = lcm(denominator * old, under.dx.denominator, under.dy.denominator)
-        a, b, c, d = (int(part * denominator) * (scale // denominator // old) for part in under[:4])
+        scale = old * lcm(*(c.denominator for c in under[:4]))
+        scale = lcm(scale, under.dx.denominator, under.dy.denominator)
+        a, b, c, d = (int(part * (scale // old)) for part in under[:4])
         dx, dy = int(under.dx * scale), int(under.dy * scale)
         image = [(a * x + b * y + dx, c * x + d * y + dy) for x, y in points]
-        vertex_index, edge_index = list(self._vertex_index), list(self._edge_index)
+        first, n = image.index(min(image)), len(image)
+        order = starts = [*range(first, n), *range(first)]
         if a * d < b * c:
-            # In reverse order, the edge after a vertex is the edge that preceded it.
-            image, vertex_index = image[::-1], vertex_index[::-1]
-            edge_index = [*edge_index[-2::-1], edge_index[-1]]
-        first = image.index(min(image))
-        image = image[first:] + image[:first]
-        numbers = [row[first:] + row[:first] for row in (vertex_index, edge_index)]
-        if all(type(part) is int for point in image for part in point):
-            return Polygon._trust(image, scale, *numbers)
+            order = [*range(first, -1, -1), *range(n - 1, first, -1)]
+            # In reverse order, the edge from vertex k to vertex k + 1 started at vertex k + 1.
+            starts = [*order[1:], first]
+        found: Sequence[Vertex] = [image[k] for k in order]
+        numbers = [self._vertex_index[k] for k in order], [self._edge_index[k] for k in starts]
+        if all(type(part) is int for point in found for part in point):
+            return Polygon._trust(found, scale, *numbers)
         # The lattice would be too fine, so keep rational vertices.
-        found = [Point(Fraction(x) / scale, Fraction(y) / scale) for x, y in image]
+        found = [Point(Fraction(x) / scale, Fraction(y) / scale) for x, y in found]
         return Polygon._trust(found, None, *numbers)
 
     def to_sympy(self) -> "sympy.Polygon":
@@ -226,12 +191,7 @@ class Polygon(PointSet):
         """
         import sympy
 
-        polygon = sympy.Polygon(
-            *(
-                tuple(sympy.Rational(c.numerator, c.denominator) for c in vertex)
-                for vertex in self.vertices
-            )
-        )
+        polygon = sympy.Polygon(*self.vertices)
         if not isinstance(polygon, sympy.Polygon) or len(polygon.vertices) != len(self):
             raise PolygonError("sympy would drop vertices that it takes for collinear")
         return polygon
@@ -250,16 +210,7 @@ class Polygon(PointSet):
             raise PolygonError(f"a sympy {type(polygon).__name__} is not a polygon")
         return cls(polygon.vertices)
 
-    def __len__(self) -> int:
-        return len(self._vertex_index)
-
-    def index(self, vertex: object, start: int = 0, stop: int | None = None) -> int:
-        """Return the index of a vertex; raise ValueError if there is none, as a tuple does."""
-        return self.vertices.index(cast(Point, vertex), start, len(self) if stop is None else stop)
-
-    def count(self, vertex: object) -> int:
-        """Return 1 for a vertex and 0 for any other point."""
-        return self.vertices.count(cast(Point, vertex))
+    index, count = Sequence.index, Sequence.count
 
     def __eq__(self, other: object) -> bool:
         # Region.__eq__ handles regions.

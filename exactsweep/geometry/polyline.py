@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable
 from fractions import Fraction
 from itertools import groupby
-from typing import Any
 
 from exactsweep.geometry.canonical import PolygonError
 from exactsweep.geometry.interface import GeoJson, make_line
-from exactsweep.geometry.reading import drop_heights, has_heights, read_vertices
+from exactsweep.geometry.reading import drop_heights, find_geometry, read_vertices
 from exactsweep.numbers.digits import write_literal
 from exactsweep.numbers.number import Point
 from exactsweep.words import write_pair
@@ -92,19 +91,15 @@ class Polyline:
 
 
 def _read_path(points: Iterable[Iterable[object]]) -> Iterable[Iterable[object]]:
-    is_geojson = isinstance(points, Mapping) and "type" in points
-    interface: Any = points if is_geojson else getattr(points, "__geo_interface__", None)
-    if isinstance(interface, Mapping) and interface.get("type") == "Feature":
-        interface = interface.get("geometry")
-    if not isinstance(interface, Mapping):
+    geometry = find_geometry(points)
+    if geometry is None:
         return points
-    if interface.get("type") not in _KINDS:
-        raise PolygonError(f"a {interface.get('type')} is not a path")
-    coordinates = interface.get("coordinates")
+    kind, coordinates = geometry.get("type"), geometry.get("coordinates")
+    if kind not in _KINDS:
+        raise PolygonError(f"a {kind} is not a path")
     if not isinstance(coordinates, Iterable):
-        raise PolygonError(f"a {interface['type']} without coordinates is not a path")
-    found = [coordinates] if interface["type"] == "Point" else [*coordinates]
-    return drop_heights(found) if has_heights(found) else found
+        raise PolygonError(f"a {kind} without coordinates is not a path")
+    return drop_heights([coordinates] if kind == "Point" else coordinates)
 
 
 def _restore(points: tuple[Point, ...], closed: bool) -> Polyline:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import sys
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from contextlib import suppress
 from itertools import chain
 from math import gcd, lcm
@@ -14,8 +14,9 @@ from exactsweep.geometry.canonical import PolygonError
 from exactsweep.numbers.error import NumberError, prefix_errors, quote
 from exactsweep.numbers.number import Point, Vertex, to_fraction
 
-_LATTICE_BITS = 8192
+LATTICE_BITS = 8192
 _PACKAGE = "exactsweep."
+_GEOJSON = {"type", "geometry", "coordinates"}
 _HINTS = {
     **dict.fromkeys(("LineString", "Point"), "; Polyline reads it"),
     **dict.fromkeys(
@@ -43,9 +44,16 @@ def read_point(pair: Iterable[object], name: str) -> Point:
         return Point(to_fraction(x), to_fraction(y))
 
 
-def refuse_number(k: object, what: str, count: int) -> PolygonError:
-    """Make the error for an out-of-range index k."""
-    return PolygonError(f"there is no {what} {quote(k)}: they are numbered 0 to {count - 1}")
+def find_geometry(shape: object) -> Mapping[str, Any] | None:
+    """Return the GeoJSON geometry of an object with a `__geo_interface__`, or of a GeoJSON dict.
+
+    Returns None for other objects.
+    """
+    is_geojson = isinstance(shape, Mapping) and not _GEOJSON.isdisjoint(shape)
+    found = shape if is_geojson else getattr(shape, "__geo_interface__", None)
+    if isinstance(found, Mapping) and found.get("type") == "Feature":
+        found = found.get("geometry")
+    return found if isinstance(found, Mapping) else None
 
 
 def read_interface(shape: object) -> list[Pairs] | None:
@@ -58,41 +66,31 @@ def read_interface(shape: object) -> list[Pairs] | None:
     >>> read_interface(shapely.box(0, 0, 2, 1))
     [[(2.0, 0.0), (2.0, 1.0), (0.0, 1.0), (0.0, 0.0), (2.0, 0.0)]]
     """
-    interface: Any = shape if _is_geojson(shape) else getattr(shape, "__geo_interface__", None)
-    if isinstance(interface, Mapping) and interface.get("type") == "Feature":
-        interface = interface.get("geometry")
-    if interface is None:
+    geometry = find_geometry(shape)
+    if geometry is None:
         return None
-    kind = interface.get("type") if isinstance(interface, Mapping) else type(interface).__name__
+    kind, coordinates = geometry.get("type"), geometry.get("coordinates")
     if kind not in ("Polygon", "LinearRing"):
         raise PolygonError(f"a {kind} is not a polygon{_HINTS.get(str(kind), '')}")
-    coordinates = interface.get("coordinates")
-    rings = coordinates if kind == "Polygon" else [coordinates]
+    rings: Any = coordinates if kind == "Polygon" else [coordinates]
     if not isinstance(rings, Sequence) or not all(isinstance(ring, Iterable) for ring in rings):
         raise PolygonError(f"a {kind} without rings is not a polygon")
-    # Some iterables can be read only once.
-    rings = [[*ring] for ring in rings]
-    if not any(rings):
+    found: list[Pairs] = [drop_heights(ring) for ring in rings]
+    if not any(found):
         raise PolygonError("the polygon is empty")
-    return list(map(drop_heights, rings)) if any(map(has_heights, rings)) else [*rings]
+    return found
 
 
-def _is_geojson(shape: object) -> bool:
-    return isinstance(shape, Mapping) and not {"geometry", "coordinates"}.isdisjoint(shape)
-
-
-def has_heights(ring: Sequence[object]) -> bool:
-    """Decide whether any point of a ring has a Z coordinate."""
-    return any(isinstance(point, Sequence) and len(point) == 3 for point in ring)
-
-
-def drop_heights(ring: list[Any]) -> list[Any]:
-    """Drop the Z coordinates of a ring, with a warning attributed to the package's caller."""
+def drop_heights(points: Iterable[Any]) -> list[Any]:
+    """List points without Z coordinates; if any are dropped, warn the package's caller."""
+    listed = [*points]
+    if not any(isinstance(point, Sequence) and len(point) == 3 for point in listed):
+        return listed
     level, frame = 1, sys._getframe()
     while frame.f_back and frame.f_globals.get("__name__", "").startswith(_PACKAGE):
         level, frame = level + 1, frame.f_back
     warn("Z coordinates are dropped: a sweep is planar", stacklevel=level)
-    return [point[:2] if len(point) == 3 else point for point in ring]
+    return [point[:2] if len(point) == 3 else point for point in listed]
 
 
 def read_vertices(vertices: Iterable[Iterable[object]]) -> Lattice:
@@ -147,20 +145,16 @@ def to_lattice(points: Sequence[Point]) -> Lattice:
     ]
 
 
-def reduce_lattice(scale: int, points: tuple[Vertex, ...]) -> tuple[int, tuple[Vertex, ...]]:
+def reduce_lattice(scale: int, points: Sequence[Vertex]) -> tuple[int, tuple[Vertex, ...]]:
     """Divide a scale and its points by their common divisor."""
     # If the scale is above one, all coordinates are ints.
-    common = scale
-    for coordinate in chain.from_iterable(points):
-        if common == 1:
-            return scale, points
-        common = gcd(common, int(coordinate))
+    common = 1 if scale == 1 else gcd(scale, *cast(Iterator[int], chain.from_iterable(points)))
     if common == 1:
-        return scale, points
+        return scale, tuple(points)
     return scale // common, tuple((x // common, y // common) for x, y in points)
 
 
-def lcm_within(denominators: Iterable[int], bits: int = _LATTICE_BITS) -> int | None:
+def lcm_within(denominators: Iterable[int], bits: int = LATTICE_BITS) -> int | None:
     """Return the least common multiple, or None if it has more than the given number of bits."""
     scale = 1
     for denominator in denominators:

@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-from bisect import bisect_right
 from collections import defaultdict
 from collections.abc import Iterable, Sequence
 from fractions import Fraction
-from itertools import accumulate
+from itertools import accumulate, chain, islice
 
 from exactsweep.geometry.canonical import PolygonError
 from exactsweep.geometry.edges import EdgeIndex
@@ -14,7 +13,7 @@ from exactsweep.geometry.near import find_near
 from exactsweep.geometry.overlap import Relation, find_outside, relate
 from exactsweep.geometry.point_set import AffineMap, PointSet
 from exactsweep.geometry.polygon import Polygon
-from exactsweep.geometry.reading import lcm_within, read_interface, refuse_number
+from exactsweep.geometry.reading import LATTICE_BITS, lcm_within, read_interface
 from exactsweep.geometry.vectors import touch
 from exactsweep.numbers.addition import add_up
 from exactsweep.numbers.digits import abridge
@@ -50,13 +49,12 @@ class Region(PointSet):
         Region([(0, 0), (4, 0), (4, 3), (0, 3)], [[(1, 1), (2, 1), (1, 2)]])
     """
 
-    __slots__ = ("_firsts", "_starts", "exterior", "holes")
+    __slots__ = ("_edge_index", "_firsts", "_vertex_index", "exterior", "holes")
 
     exterior: Polygon
     holes: tuple[Polygon, ...]
-    # The number of the first vertex of each ring, here and in the input.
-    _starts: tuple[int, ...]
-    _firsts: tuple[int, ...]
+    # The number in the input of the first vertex of each ring.
+    _firsts: Sequence[int]
 
     def __init__(self, exterior: Region | Vertices, holes: Iterable[Vertices] = ()) -> None:
         inner: list[Polygon] = []
@@ -75,22 +73,21 @@ class Region(PointSet):
         except TypeError:
             raise PolygonError(f"{type(holes).__name__} is not a sequence of holes") from None
         inner += [_read_named(hole, f"hole {k}") for k, hole in enumerate(given)]
-        firsts: tuple[int, ...] = (0,)
-        if inner:
-            if given or not is_checked:
-                _check(outer, inner)
-            firsts = tuple(accumulate(map(_count_given, (outer, *inner[:-1])), initial=0))
-        self._set((outer, *inner), firsts)
+        if inner and (given or not is_checked):
+            _check(outer, inner)
+        rings = [outer, *inner]
+        counts = (1 + max(ring._edge_index) for ring in rings[:-1])
+        self._set(rings, [*accumulate(counts, initial=0)])
 
     def _set(self, rings: Sequence[Polygon], firsts: Sequence[int]) -> None:
         order = [0, *sorted(range(1, len(rings)), key=lambda k: rings[k].vertices)]
-        holes = tuple(rings[k] for k in order[1:])
-        sizes = map(len, (rings[0], *holes[:-1])) if holes else ()
+        placed = [(firsts[k], rings[k]) for k in order]
         for name, value in (
             ("exterior", rings[0]),
-            ("holes", holes),
-            ("_starts", tuple(accumulate(sizes, initial=0))),
-            ("_firsts", tuple(firsts[k] for k in order)),
+            ("holes", tuple(rings[k] for k in order[1:])),
+            ("_firsts", [first for first, _ in placed]),
+            ("_vertex_index", [first + n for first, ring in placed for n in ring._vertex_index]),
+            ("_edge_index", [first + n for first, ring in placed for n in ring._edge_index]),
         ):
             object.__setattr__(self, name, value)
 
@@ -111,8 +108,8 @@ class Region(PointSet):
             >>> Region([(0, 0), (3, 0), (0, 3)], [[("1/2", 1), (1, "1/2"), (1, 1)]]).lattice()[1]
             (((0, 0), (6, 0), (0, 6)), ((1, 2), (2, 2), (2, 1)))
         """
-        scale, rings = common_lattice((self.exterior, *self.holes))
-        return scale, (rings[0], *((ring[0], *ring[:0:-1]) for ring in rings[1:]))
+        scale, (rings,) = share_lattice([self], LATTICE_BITS)
+        return scale, tuple(map(tuple, rings))
 
     @property
     def area(self) -> Fraction:
@@ -126,36 +123,6 @@ class Region(PointSet):
 
     def _image(self, under: AffineMap) -> Region:
         return _restore([ring._image(under) for ring in (self.exterior, *self.holes)], self._firsts)
-
-    def vertex_index(self, k: int) -> int:
-        """Return the input index of vertex k, counted across all `rings`.
-
-        The input also starts with the exterior; the holes follow in the given order. Negative k
-        count from the end. Raises PolygonError if there is no vertex k.
-        """
-        first, ring, k = self._ring_of(k, "vertex")
-        return first + ring.vertex_index(k)
-
-    def edge_index(self, k: int) -> int:
-        """Return the input index of edge k, from vertex k to the next of its ring.
-
-        Edges are counted as in `vertex_index`. If several collinear input edges form edge k, it is
-        the first.
-        """
-        first, ring, k = self._ring_of(k, "edge")
-        return first + ring.edge_index(k)
-
-    def _ring_of(self, k: int, what: str) -> tuple[int, Polygon, int]:
-        try:
-            k = range(len(self))[k]
-        except (TypeError, IndexError):
-            raise refuse_number(k, what, len(self)) from None
-        number = bisect_right(self._starts, k) - 1
-        ring = self.holes[number - 1] if number else self.exterior
-        return self._firsts[number], ring, k - self._starts[number]
-
-    def __len__(self) -> int:
-        return self._starts[-1] + len(self.holes[-1] if self.holes else self.exterior)
 
     def __eq__(self, other: object) -> bool:
         if not isinstance(other, (Polygon, Region)):
@@ -190,10 +157,6 @@ def _restore(rings: Sequence[Polygon], firsts: Sequence[int]) -> Region:
     return region
 
 
-def _count_given(ring: Polygon) -> int:
-    return 1 + max(map(ring.edge_index, range(len(ring))))
-
-
 AnyPolygon = Polygon | Region
 """A polygon with or without holes; both types have an exterior, holes and rings."""
 
@@ -225,39 +188,35 @@ def to_regions(shapes: Iterable[Region | Vertices], name: str) -> tuple[Region, 
     return tuple(to_region(shape, f"{name} shape {k}") for k, shape in enumerate(shapes))
 
 
-_LONG = 1024
-"""Maximum number of bits of the scale of a lattice that regions share."""
-
-
 def common_lattice(
-    polygons: Sequence[Polygon],
-) -> tuple[int, list[tuple[Vertex, ...]]]:
-    """Put polygons on the coarsest lattice that contains them all, as `to_lattice` does."""
-    scale = lcm_within(polygon.lattice()[0] for polygon in polygons)
-    if scale is None:
-        return 1, [polygon.vertices for polygon in polygons]
-    return scale, [
-        tuple((x * (scale // own), y * (scale // own)) for x, y in points)
-        for own, points in (polygon.lattice() for polygon in polygons)
-    ]
+    polygons: Sequence[Polygon], bits: int = LATTICE_BITS
+) -> tuple[int, list[list[Vertex]]]:
+    """Put polygons on the coarsest integer lattice that contains them all.
 
-
-def share_lattice(regions: Sequence[Region]) -> tuple[int, list[list[list[Vertex]]]]:
-    """Put regions on the coarsest integer lattice that contains them all.
-
-    Returns the scale, and the rings of each region times the scale, with the interior on the left.
-    If the scale would exceed 1024 bits, scaled numbers would be longer than the originals; then
-    it is 1, and vertices off that lattice are Fractions.
+    Returns the scale, and the vertices times the scale. If the scale would have more bits, scaled
+    numbers would be longer than the originals; then it is 1, and vertices off that lattice are
+    Fractions.
     """
-    lattices = [region.lattice() for region in regions]
-    scale = lcm_within((own for own, _ in lattices), _LONG)
+    lattices = [polygon.lattice() for polygon in polygons]
+    scale = lcm_within((own for own, _ in lattices), bits)
 
     def place(coordinate: Rational, own: int) -> Rational:
         return coordinate * (scale // own) if scale else ratio(coordinate, own)
 
-    return scale or 1, [
-        [[(place(x, own), place(y, own)) for x, y in ring] for ring in rings]
-        for own, rings in lattices
+    rings = [[(place(x, own), place(y, own)) for x, y in points] for own, points in lattices]
+    return scale or 1, rings
+
+
+def share_lattice(
+    regions: Sequence[Region], bits: int = 1024
+) -> tuple[int, list[list[list[Vertex]]]]:
+    """Put regions on one lattice as `common_lattice` does, with the interior on the left."""
+    polygons = chain.from_iterable((region.exterior, *region.holes) for region in regions)
+    scale, found = common_lattice([*polygons], bits)
+    rings = iter(found)
+    return scale, [
+        [next(rings), *([hole[0], *hole[:0:-1]] for hole in islice(rings, len(region.holes)))]
+        for region in regions
     ]
 
 
@@ -299,27 +258,18 @@ def _check(exterior: Polygon, holes: Sequence[Polygon]) -> None:
         is_nested = EdgeIndex([*one.rings, *other.rings]).box == other.box
         if is_nested and relate(one, other) is Relation.OVERLAP:
             raise PolygonError(f"{names[inner]} is inside {names[outer]}")
-    _refuse_parted(len(rings), touching, names, scale)
+    _refuse_parted(touching, names, scale)
 
 
-def _refuse_parted(
-    rings: int, touching: dict[Vertex, set[int]], names: Sequence[str], scale: int
-) -> None:
+def _refuse_parted(touching: dict[Vertex, set[int]], names: Sequence[str], scale: int) -> None:
     """Reject a disconnected interior: the graph of rings and touching points has a cycle."""
-    group = list(range(rings))
-
-    def leader(k: int) -> int:
-        while group[k] != k:
-            k = group[k]
-        return k
-
+    groups = {k: {k} for k in range(len(names))}
     for (x, y), there in touching.items():
-        leaders = {leader(k) for k in there}
-        if len(leaders) < len(there):
+        joined = set().union(*(groups[k] for k in there))
+        if len(joined) < sum(len(groups[k]) for k in there):
             at = write_pair((Fraction(x) / scale, Fraction(y) / scale))
             listed = " and ".join(names[k] for k in sorted(there))
             raise PolygonError(
                 f"the interior is disconnected: {listed} touch at {at} and elsewhere"
             )
-        for k in leaders:
-            group[k] = min(leaders)
+        groups.update(dict.fromkeys(joined, joined))

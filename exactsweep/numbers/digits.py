@@ -66,17 +66,23 @@ def read_ratio(text: str) -> tuple[int, int]:
     if denominator == "0":
         raise NumberError(f"{quote(text)} has a zero denominator")
     # An exponent of 16 digits or more exceeds every limit.
-    places = len(decimals) - int(sign + (exponent[:16] or "0"))
-    digits = len((whole + decimals).removeprefix("-").lstrip("0") or "0")
-    # By (1) and (2) of `limits`.
-    most = max(get_limits().max_digits, min(len(text), get_limits().answer_digits))
+    places = len(decimals) - (int(sign + exponent[:16]) if exponent else 0)
+    most, longest = get_limits().max_digits, 0
+    if exponent or len(text) > most:
+        # By (1) and (2) of `limits`.
+        most = max(most, min(len(text), get_limits().answer_digits))
+        digits = len((whole + decimals).removeprefix("-").lstrip("0") or "0")
+        longest = max(digits - min(places, 0), places, len(denominator))
     # Reject the number before computing it, even if the reduced number would be short.
-    longest = max(digits - min(places, 0), places, len(denominator))
     if longest <= _DIGITS_BEFORE_REDUCTION * most:
-        n = _read_int(whole + decimals) * 10 ** max(-places, 0)
-        d = _read_int(denominator or "1") * 10 ** max(places, 0)
-        common = gcd(n, d)
-        n, d = n // common, d // common
+        n, d = _read_int(whole + decimals), 1
+        if denominator:
+            d = _read_int(denominator)
+        elif places:
+            n, d = n * 10 ** max(-places, 0), 10 ** max(places, 0)
+        if d > 1:
+            common = gcd(n, d)
+            n, d = n // common, d // common
         # The number has at most `longest` + 1 digits.
         if longest < most or max(abs(n), d) < 10**most:
             return n, d
