@@ -41,8 +41,8 @@ class Q {
   compare(o) { return this.minus(o).sign(); }
   absolute() { return this.n < 0n ? this.negated() : this; }
   reduced() {
-    const g = this.d === 1n ? 1n : gcd(this.n, this.d, this.size);
-    return g === 1n ? this : new Q(this.n / g, this.d / g, this.size);
+    const g = this.d === 1n ? 1n : gcd(this.n, this.d, this.size), n = this.n / g, d = this.d / g;
+    return new Q(n, d, n.toString(16).length + d.toString(16).length);
   }
   key() { spend((this.size + this.size ** 2 / 1000) / 100); const q = this.reduced(); return q.n + "/" + q.d; }
   bound(direction) { // a float below or above the number
