@@ -9,13 +9,12 @@ from fractions import Fraction
 from math import ceil, floor
 from typing import NamedTuple, Self
 
-from exactsweep.canvas.error import DrawError
-from exactsweep.canvas.window import MOST_STRETCHED
+from exactsweep.canvas.window import MAX_ASPECT, DrawError
 from exactsweep.numbers.digits import find_magnitude, format_fraction
 from exactsweep.numbers.number import Rational, Vertex
 
-# An axis shows unscaled coordinates for these powers of ten, and unshifted ones if 0 is within this
-# number of picture sizes.
+# An axis shows unscaled coordinates if the picture's size has one of these powers of ten, and
+# unshifted ones if 0 is at most this many times the picture's size away.
 _PLAIN = range(-2, 4)
 _NEAR = 1000
 _SHOWN_DIGITS = 12
@@ -23,23 +22,17 @@ _SHOWN_DECIMALS = 5
 
 
 class AxisScale(NamedTuple):
-    """One axis: a coordinate v is drawn at (v - origin) / 10**exponent.
-
-    Attributes:
-        origin: the coordinate drawn at 0, a Fraction.
-        exponent: the power of ten drawn as 1, an int.
-    """
+    """One axis: a coordinate v is drawn at (v - origin) / 10**exponent."""
 
     origin: Fraction
     exponent: int
 
     @property
     def unit(self) -> Fraction:
-        """The length drawn as 1, a power of ten."""
         return Fraction(10) ** self.exponent
 
     def place(self, value: Rational) -> float:
-        """Return the correctly rounded position of a coordinate; raise DrawError on overflow."""
+        """Return the correctly rounded position of a coordinate; raises DrawError on overflow."""
         try:
             return float((value - self.origin) / self.unit)
         except OverflowError:
@@ -64,12 +57,7 @@ class AxisScale(NamedTuple):
 
 
 class Scale(NamedTuple):
-    """The scale of a picture, created by `Scale.of`.
-
-    Attributes:
-        x, y: the AxisScale of each axis.
-        is_true: whether both axes have the same unit.
-    """
+    """The scale of a picture, created by `Scale.of`; `is_true` if both axes have the same unit."""
 
     x: AxisScale
     y: AxisScale
@@ -101,19 +89,17 @@ class Scale(NamedTuple):
             (Fraction(min(values)), Fraction(max(values))) for values in zip(*points, strict=True)
         ]
         sizes = [high - low for low, high in boxes]
-        is_true = max(sizes) <= MOST_STRETCHED * min(sizes) or min(sizes) == 0
+        is_true = max(sizes) <= MAX_ASPECT * min(sizes) or min(sizes) == 0
         if is_true:
             sizes = [max(sizes)] * 2
         x, y = (_axis(*box, size) for box, size in zip(boxes, sizes, strict=True))
         return cls(x, y, is_true)
 
     def place(self, point: Vertex) -> tuple[float, float]:
-        """Return the position of a point as floats."""
         x, y = point
         return self.x.place(x), self.y.place(y)
 
     def places(self, points: Iterable[Vertex]) -> list[tuple[float, float]]:
-        """Return the positions of several points."""
         return [self.place(point) for point in points]
 
 
@@ -128,10 +114,8 @@ def _axis(low: Fraction, high: Fraction, size: Fraction) -> AxisScale:
 
 
 def _round_number(low: Fraction, high: Fraction, step: Fraction) -> Fraction:
-    """Return a round number up to `low`, or a rounder one between `low` and `high`.
-
-    0 is not between `low` and `high`.
-    """
+    """Return the roundest number from `low` to `high`, or else the multiple of `step` below."""
+    # 0 is not between `low` and `high`, so the loop ends.
     found = floor(low / step) * step
     while (rounder := ceil(low / step) * step) <= high:
         found = rounder

@@ -1,9 +1,8 @@
 """The style of all pictures, for print and for color-blind readers.
 
-A color has the same meaning in all pictures and pages; LIGHT and DARK are the colors for the two
-backgrounds. A test checks that readers with red-green color blindness can distinguish them. Lines
-and areas also differ in width, dashes, hatching or markers, for black-and-white prints. The colors
-of numbered items are those of Okabe and Ito.
+A color has the same meaning in all pictures and pages. A test checks that readers with red-green
+color blindness can distinguish them. Lines and areas also differ in width, dashes, hatching or
+markers, for black-and-white prints. Numbered items have the colors of Okabe and Ito.
 """
 
 import tomllib
@@ -23,21 +22,19 @@ RED = "#d55e00"
 PURPLE = "#cc79a7"
 
 PALETTE = (BLUE, RED, GREEN, PURPLE, ORANGE, SKY, BLACK)
-"""The colors of several objects of the same kind, such as chains, in order."""
+"""The colors of numbered items, such as chains."""
 
 _DATA: dict[str, Any] = tomllib.loads(
     files("exactsweep.canvas").joinpath("style.toml").read_text(encoding="utf-8")
 )
+# Colors on a light and on a dark background; those of another program's answer suit both.
 LIGHT: dict[str, str] = _DATA["light"]
-"""Colors on a light background."""
 DARK: dict[str, str] = _DATA["dark"]
-"""Colors on a dark background."""
 JUDGED: dict[str, str] = _DATA["judged"]
-"""Colors of another program's answer and of a witness, for both backgrounds."""
 
 
 def write_style_sheet() -> str:
-    """Return all colors as CSS variables, for light and dark backgrounds."""
+    """Write all colors as CSS variables, for light and dark backgrounds."""
     light, dark = (
         " ".join(f"--{name}: {color};" for name, color in (palette | JUDGED).items())
         for palette in (LIGHT, DARK)
@@ -47,7 +44,7 @@ def write_style_sheet() -> str:
 
 
 def use_style() -> AbstractContextManager[None]:
-    """Return a context manager that applies the matplotlib settings of the style."""
+    """Apply the matplotlib settings of the style in a `with` block."""
     from matplotlib import rc_context
 
     return rc_context(_DATA["settings"])
@@ -55,10 +52,10 @@ def use_style() -> AbstractContextManager[None]:
 
 @dataclass(frozen=True)
 class Look:
-    """The look of one kind of object, in terms of matplotlib.
+    """The look of one kind of object, in the terms of matplotlib.
 
-    `width` and `size` (of markers) are in points. Objects with a higher `order` are drawn on top.
-    Markers may be filled with white (`hollow`) or have a white rim (`halo`).
+    `width` and the `size` of markers are in points. Objects with a higher `order` are drawn on top.
+    Markers can be filled with white (`hollow`) or have a white rim (`halo`).
     """
 
     color: str
@@ -74,7 +71,6 @@ class Look:
 
     @property
     def as_line(self) -> dict[str, Any]:
-        """Keyword arguments for `Axes.plot`."""
         return {
             "color": self.color,
             "linewidth": self.width,
@@ -89,7 +85,6 @@ class Look:
 
     @property
     def as_area(self) -> dict[str, Any]:
-        """Keyword arguments for `Axes.fill`."""
         return {
             "facecolor": self.fill or "none",
             "edgecolor": self.color,
@@ -113,31 +108,30 @@ UNDERCUT = _look("undercut", 0.5, hatch="//////", order=2)
 EXACT_FIT = _look("fit", 2.2, marker="o", order=6)
 MANY_EXACT_FITS = _look("fit", 0.5, order=6)
 POINT_FIT = _look("fit", 0, dash="none", marker="*", order=7.2, size=12)
+# Regions of free positions: holes of no-fit polygons, and inner fits.
 FREE = _look("free", 1.6, fill=LIGHT["free-fill"], dash=(0, (6, 1.5)), order=4.5)
-"""The look of positions without overlap: holes of no-fit polygons and regions of inner fits."""
 HANGING_END = _look("fit", 0, dash="none", marker="o", hollow=True, order=6.1)
 TRAJECTORY = _look("path", 1.2, order=5)
 REFERENCE = _look("generatrix", 0, dash="none", marker="o", order=7, size=5.5, halo=True)
+# The trajectory, by contact event.
 EVENTS = {
     "EV": _look("EV", 1.6, order=5),
     "VE": _look("VE", 1.6, dash=(0, (3, 1.5)), order=5),
     "EE": _look("EE", 2.4, dash=(0, (1, 1)), order=5),
 }
-"""The look of the trajectory, by contact event."""
+# Contact points, by contact event.
 CONTACTS = {
     "EV": _look("EV", 0, dash="none", marker="s", order=8, size=5.5, halo=True),
     "VE": _look("VE", 0, dash="none", marker="^", order=8, size=6.5, halo=True),
     "EE": _look("EE", 3.2, order=7.5),
     "VV": _look("VV", 0, dash="none", marker="D", order=8, size=5.5, halo=True),
 }
-"""The look of contact points, by contact event."""
 SEVERAL_EVENTS = _look("path", 1.8, dash="-.", order=5)
 SUB_TRAJECTORY = Look(GREY, 0.9, dash=(0, (4, 2)), order=3)
 ENVELOPE = Look(BLACK, 2.2, order=4)
 
 
 def choose_chain_look(k: int) -> Look:
-    """Return the look of chain number k."""
     markers, dashes = "os^Dv", ("-", (0, (5, 1.5)), (0, (2, 1)))
     return Look(
         PALETTE[k % len(PALETTE)],

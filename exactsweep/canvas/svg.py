@@ -18,15 +18,13 @@ _HATCH = "exactsweep-hatch"
 
 
 class Shape(NamedTuple):
-    """Loops or chains with their look."""
-
     loops: Sequence[Iterable[Vertex]]
     look: Look
     closed: bool = True
 
 
 def write_svg(shapes: Iterable[Shape], title: str) -> str:
-    """Write shapes, in drawing order, as an SVG image; raise DrawError if there are no points."""
+    """Write shapes as an SVG image, in drawing order; raises DrawError if there are no points."""
     drawn = [Shape([list(loop) for loop in s.loops], s.look, s.closed) for s in shapes if s.loops]
     points = chain.from_iterable(chain.from_iterable(shape.loops for shape in drawn))
     window = Window.around(points, _WIDTH, _HEIGHT, _MARGIN)
@@ -63,12 +61,11 @@ def _path(shape: Shape, window: Window) -> str:
 
 
 def draw_rings(rings: Iterable[Iterable[Vertex]], title: str) -> str:
-    """Draw the rings of one polygon as an SVG image. Cost: O(n)."""
     return write_svg([Shape(list(rings), style.DIRECTRIX)], title)
 
 
 def add_table(picture: str, rows: Iterable[tuple[str, str]]) -> str:
-    """Return HTML of a picture with a table on its right."""
+    """Write HTML with a table on the right of a picture."""
     table = "".join(
         f'<tr><th style="text-align:left">{escape(name)}</th>'
         f'<td style="text-align:left">{escape(text)}</td></tr>'
@@ -83,7 +80,7 @@ def add_table(picture: str, rows: Iterable[tuple[str, str]]) -> str:
 def write_path(
     lines: Iterable[Iterable[tuple[float, float]]], *, closed: bool, digits: int = 2
 ) -> str:
-    """Return the path data of polylines, or of loops if closed, in pixels.
+    """Write the path data of polylines, or of loops if `closed`, in pixels.
 
     >>> write_path([[(0, 0), (1, 0.125)]], closed=True)
     'M0.00 0.00L1.00 0.12Z'

@@ -4,20 +4,21 @@ from collections.abc import Iterable
 from fractions import Fraction
 from typing import NamedTuple, Self
 
-from exactsweep.canvas.error import DrawError
+from exactsweep.numbers.error import ExactSweepError
 from exactsweep.numbers.number import Vertex
 
-MOST_STRETCHED = 12
+MAX_ASPECT = 12
 """The aspect ratio above which the axes have different units."""
 # Pixels are clamped to this distance from 0.
 _FAR = 100_000
 
 
-class Window(NamedTuple):
-    """A rectangle of the plane, drawn as `width` by `height` pixels with Y downward.
+class DrawError(ExactSweepError):
+    """A picture that cannot be drawn or saved."""
 
-    bottom > top if Y points down in the plane as well.
-    """
+
+class Window(NamedTuple):
+    """A rectangle of the plane, drawn as `width` by `height` pixels, from the top down."""
 
     left: Fraction
     bottom: Fraction
@@ -30,8 +31,7 @@ class Window(NamedTuple):
     def around(cls, points: Iterable[Vertex], width: int, height: int, margin: int = 0) -> Self:
         """Return the smallest window that shows all points with a margin in pixels.
 
-        Both axes have the same unit, unless the aspect ratio of the points exceeds 12. Raises
-        DrawError if there are no points.
+        Both axes have the same unit, unless the aspect ratio of the points exceeds 12.
 
         >>> window = Window.around([(0, 0), (10, 5)], 120, 120, 10)
         >>> window.place((0, 0)), window.place((10, 5))
@@ -44,7 +44,7 @@ class Window(NamedTuple):
         if not xs:
             raise DrawError("there is nothing to draw")
         across, up = Fraction(max(xs) - min(xs)), Fraction(max(ys) - min(ys))
-        if 0 < MOST_STRETCHED * min(across, up) < max(across, up):
+        if 0 < MAX_ASPECT * min(across, up) < max(across, up):
             x_unit, y_unit = across / (width - 2 * margin), up / (height - 2 * margin)
         else:
             x_unit = y_unit = max(
@@ -54,8 +54,7 @@ class Window(NamedTuple):
         half_x, half_y = width * x_unit / 2, height * y_unit / 2
         return cls(x - half_x, y - half_y, x + half_x, y + half_y, width, height)
 
-    def turned(self) -> Self:
-        """Return the same rectangle with Y downward."""
+    def flipped(self) -> Self:
         return self._replace(bottom=self.top, top=self.bottom)
 
     @property
@@ -67,7 +66,6 @@ class Window(NamedTuple):
         return max(self.right - self.left, self.top - self.bottom)
 
     def place(self, point: Vertex) -> tuple[float, float]:
-        """Return the pixel coordinates of a point, from the upper left corner."""
         x, y = point
         return (
             _limit((x - self.left) * self.width / (self.right - self.left)),

@@ -171,7 +171,6 @@ def view_command(result: Sweep | NoFitPolygon | InnerFit, output: str) -> None:
         # The stationary polygon is the first file.
         names = names[1], names[0]
     with working("making the page") as update:
-        text = make_page(
-            result, names=names, y_down=pair.coordinates_of_files().y_down, tell=update
-        )
+        y_down = pair.coordinates_of_files().y_down
+        text = make_page(result, names=names, y_down=y_down, progress=update)
     write(text, output)

@@ -1,7 +1,7 @@
 """Pictures drawn with matplotlib (the `plot` extra) at an exact scale.
 
-`plot_sweep` draws a sweep, `plot_positions` a no-fit polygon or an inner fit. For other pictures,
-create a `Picture` from an Axes and a `Scale` that covers all points, and draw on it:
+`plot_sweep` draws a sweep, and `plot_positions` a no-fit polygon or an inner fit. For other
+pictures, create a `Picture` from an Axes and a `Scale` that covers all points, and draw on it:
 
     >>> from exactsweep import sweep
     >>> s = sweep([(0, 0), (1, 0), (0, 1)], [(0, 0), (9, 0), (9, 4), (5, 1), (4, 1), (0, 4)])
@@ -28,17 +28,16 @@ More functions draw chains, shapes and exact fits:
     >>> save(figure, "out.svg")  # doctest: +SKIP
 
 Points have int or Fraction coordinates. `style` defines the look of each part. Matplotlib is
-imported when the first figure is drawn.
+imported on first use.
 """
 
 from exactsweep.canvas import style
-from exactsweep.canvas.error import DrawError
 from exactsweep.canvas.scale import AxisScale, Scale
-from exactsweep.draw.chains import draw_chains, draw_sub_trajectories
+from exactsweep.canvas.window import DrawError
 from exactsweep.draw.figure import SUFFIXES, make_figure, read_suffix, save, save_svg
 from exactsweep.draw.intervals import ContactInterval, cut_trajectory
 from exactsweep.draw.no_fits import plot_positions
-from exactsweep.draw.picture import Picture
+from exactsweep.draw.picture import Picture, draw_chains, draw_sub_trajectories
 from exactsweep.draw.sweeps import (
     choose_telling_positions,
     draw_contacts,

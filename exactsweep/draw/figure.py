@@ -1,4 +1,4 @@
-"""Matplotlib figures in the project's style, saved reproducibly."""
+"""Matplotlib figures in the project's style, and reproducible files."""
 
 from __future__ import annotations
 
@@ -6,8 +6,8 @@ from io import StringIO
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from exactsweep.canvas.error import DrawError
 from exactsweep.canvas.style import use_style
+from exactsweep.canvas.window import DrawError
 from exactsweep.numbers.error import explain_type_errors, quote, require_imports
 
 if TYPE_CHECKING:
@@ -15,8 +15,8 @@ if TYPE_CHECKING:
 
 SUFFIXES = (".svg", ".pdf", ".png")
 
-# Metadata without the time and the program version.
-_MOST_AXES = 400
+_MAX_AXES = 400
+# Without the time and the version of the program, so that files are reproducible.
 _METADATA: dict[str, dict[str, Any]] = {
     ".svg": {"Date": None, "Creator": "exactsweep"},
     ".pdf": {"CreationDate": None, "Creator": "exactsweep", "Producer": None},
@@ -32,15 +32,12 @@ def require_matplotlib() -> None:
 
 @explain_type_errors
 def make_figure(rows: int = 1, columns: int = 1, size: tuple[float, float] | None = None) -> Figure:
-    """Make a Figure with empty Axes, without opening a window.
+    """Make a Figure with empty Axes, row by row, without opening a window.
 
     Args:
         rows: the number of rows of Axes.
-        columns: the number of Axes per row.
+        columns: the number of columns of Axes.
         size: width and height in inches, by default 7.2 and 4.8. Saved files are cropped.
-
-    Returns:
-        A Figure; its `axes` are listed row by row.
 
     Raises:
         DrawError: matplotlib is not installed.
@@ -48,8 +45,8 @@ def make_figure(rows: int = 1, columns: int = 1, size: tuple[float, float] | Non
     require_matplotlib()
     from matplotlib.figure import Figure
 
-    if not 1 <= rows * columns <= _MOST_AXES or rows < 1:
-        raise DrawError(f"{quote(rows)} by {quote(columns)} Axes: not 1 to {_MOST_AXES}")
+    if not 1 <= rows * columns <= _MAX_AXES or rows < 1:
+        raise DrawError(f"cannot make {quote(rows)} by {quote(columns)} Axes; 1 to {_MAX_AXES} fit")
     with use_style():
         figure = Figure(layout="compressed", figsize=size)
         figure.subplots(rows, columns)
@@ -58,25 +55,17 @@ def make_figure(rows: int = 1, columns: int = 1, size: tuple[float, float] | Non
 
 @explain_type_errors
 def read_suffix(path: str) -> str:
-    """Return the suffix of a picture file, in lower case.
-
-    Raises:
-        DrawError: the format is not supported.
-
-    Example:
-        >>> read_suffix("fig/block.SVG")
-        '.svg'
-    """
+    """Return the suffix of a picture file in lower case; raises DrawError for other files."""
     suffix = Path(path).suffix.lower()
     if suffix not in SUFFIXES:
-        named = f"the suffix {suffix!a} is not" if suffix else "the suffix is missing: use"
-        raise DrawError(f"{named} one of {', '.join(SUFFIXES)}")
+        fault = f"the suffix {suffix!a} is not" if suffix else "the suffix is missing; use"
+        raise DrawError(f"{fault} one of {', '.join(SUFFIXES)}")
     return suffix
 
 
 @explain_type_errors
 def save(figure: Figure, path: str) -> None:
-    """Save a figure; the suffix selects the format. Reproducible for a given matplotlib version."""
+    """Save a figure in the format of the suffix; files depend only on the matplotlib version."""
     suffix = read_suffix(path)
     with use_style():
         figure.savefig(path, format=suffix[1:], metadata=_METADATA[suffix], bbox_inches="tight")
@@ -84,7 +73,7 @@ def save(figure: Figure, path: str) -> None:
 
 @explain_type_errors
 def save_svg(figure: Figure) -> str:
-    """Return a figure as an SVG document, as reproducible as with `save`."""
+    """Return a figure as an SVG document, as `save` writes it."""
     text = StringIO()
     with use_style():
         figure.savefig(text, format="svg", metadata=_METADATA[".svg"], bbox_inches="tight")

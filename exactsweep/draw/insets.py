@@ -12,11 +12,11 @@ from exactsweep.numbers.number import Point, Vertex
 
 # Ratios of picture size and polygon size that call for a detail, up to the resolution of floats.
 _SMALL = range(25, 10**9)
-_MOST = 3
+_MAX_DETAILS = 3
 # Relative to the picture's width: the width of a detail, and the horizontal and vertical spacing.
-_WIDTH, _APART, _BELOW = 0.3, 0.35, 0.18
+_WIDTH, _SPACING, _BELOW = 0.3, 0.35, 0.18
 # The size of a detail relative to that of the small polygon.
-_ROUND = Fraction(5, 2)
+_ENLARGED = Fraction(5, 2)
 
 
 class Detail(NamedTuple):
@@ -28,13 +28,11 @@ class Detail(NamedTuple):
 
     @classmethod
     def around(cls, center: Vertex, side: Fraction) -> Self:
-        """Return the square with a given center and side."""
         x, y = center
         return cls(x - side / 2, y - side / 2, side)
 
     @property
     def corners(self) -> tuple[Point, Point]:
-        """The lower left and the upper right corner."""
         left, bottom, side = self
         return Point(left, bottom), Point(left + side, bottom + side)
 
@@ -50,7 +48,7 @@ def find_details(
     placed: Sequence[AnyPolygon],
     spots: Iterable[Vertex],
 ) -> list[Detail]:
-    """Choose up to three details: shapes under 1/25 of the picture's size, or spots."""
+    """Choose up to three details: shapes under 1/25 of the picture's size, or else spots."""
     corners = list(shown)
     boxes = [(min(values), max(values)) for values in zip(*corners, strict=True)]
     sides = [Fraction(high - low) for low, high in boxes]
@@ -59,7 +57,7 @@ def find_details(
     for shapes in ([directrix], placed):
         small = max(map(_longest, shapes))
         if int(whole / small) in _SMALL:
-            found += [Detail.around(_middle(shape), _ROUND * small) for shape in shapes]
+            found += [Detail.around(_middle(shape), _ENLARGED * small) for shape in shapes]
     if not found and not Scale.of(corners).is_true and int(whole / min(sides)) in _SMALL:
         middle = Point(*((low + high) / Fraction(2) for low, high in boxes))
         short = sides.index(min(sides))
@@ -68,7 +66,7 @@ def find_details(
             found.append(Detail.around(center, min(sides)))
     chosen: list[Detail] = []
     for detail in found:
-        if len(chosen) < _MOST and not any(map(detail.is_near, chosen)):
+        if len(chosen) < _MAX_DETAILS and not any(map(detail.is_near, chosen)):
             chosen.append(detail)
     return chosen
 
@@ -86,14 +84,14 @@ def _middle(shape: AnyPolygon) -> Point:
 def draw_with_details(
     picture: Picture, details: Sequence[Detail], paint: Callable[[Picture], None]
 ) -> None:
-    """Draw a picture and its legend, with frames around the details, and the details below."""
+    """Draw a picture with its legend and frames around the details, and the details below it."""
     paint(picture)
     for k, detail in enumerate(details):
         low, high = detail.corners
         # Convert a share of the width to a share of the height.
         height = picture.aspect
         axes = picture.axes.inset_axes(
-            (k * _APART, -(_BELOW + _WIDTH) / height, _WIDTH, _WIDTH / height)
+            (k * _SPACING, -(_BELOW + _WIDTH) / height, _WIDTH, _WIDTH / height)
         )
         scale = Scale.of([low, high])
         enlarged = Picture(axes, scale, y_down=picture.y_down, window=(low, high))

@@ -1,14 +1,56 @@
-"""Intervals of constant contact along loops of positions."""
+"""Points of contact, and intervals of constant contact along loops of positions."""
 
 from collections.abc import Iterator, Sequence
 from itertools import pairwise
 from typing import NamedTuple
 
-from exactsweep.draw.features import SweepFeatures
 from exactsweep.evidence.contact import Contact
 from exactsweep.evidence.sweep import SweepAnswer
+from exactsweep.geometry.outline import number_features
 from exactsweep.numbers.error import explain_type_errors
 from exactsweep.numbers.number import Point
+
+Ends = tuple[Point, Point]
+
+
+class SweepFeatures:
+    """The vertices and edges of both polygons of a Sweep, by their numbers in contacts."""
+
+    def __init__(self, s: SweepAnswer) -> None:
+        self._reference = s.reference
+        self.g_vertices, self._g_ends = number_features(s.generatrix)
+        self.d_vertices, self._d_ends = number_features(s.directrix)
+
+    def span(self, contact: Contact) -> Ends:
+        """Return the ends of the segment of positions at which a contact lasts."""
+        event, i, j = contact
+        (a, b), (c, d) = (
+            ends[k] if letter == "E" else (k, k)
+            for ends, k, letter in ((self._g_ends, i, event[0]), (self._d_ends, j, event[1]))
+        )
+        return self._position(a, c), self._position(b, d)
+
+    def _position(self, i: int, j: int) -> Point:
+        (x, y), g, d = self._reference, self.g_vertices[i], self.d_vertices[j]
+        return Point(d.x - g.x + x, d.y - g.y + y)
+
+    def spot(self, contact: Contact, position: Point) -> Ends:
+        """Return the ends of the segment along which two features touch, equal for a point."""
+        event, i, j = contact
+        if event[1] == "V":
+            return self.d_vertices[j], self.d_vertices[j]
+        if event[0] == "V":
+            touching = self._move(self.g_vertices[i], position)
+            return touching, touching
+        ends = [self.d_vertices[k] for k in self._d_ends[j]]
+        ends += [self._move(self.g_vertices[k], position) for k in self._g_ends[i]]
+        _, low, high, _ = sorted(ends)
+        return low, high
+
+    def _move(self, point: Point, position: Point) -> Point:
+        return Point(
+            point.x + position.x - self._reference.x, point.y + position.y - self._reference.y
+        )
 
 
 class ContactInterval(NamedTuple):
@@ -16,8 +58,8 @@ class ContactInterval(NamedTuple):
 
     Attributes:
         edge: the index of the edge, equal to that of its first vertex.
-        start, end: the ends, as Points, in the order of travel.
-        contacts: all contacts between start and end.
+        start, end: the ends, in the order of travel.
+        contacts: all contacts between `start` and `end`.
     """
 
     edge: int
@@ -39,7 +81,7 @@ def cut_trajectory(s: SweepAnswer) -> list[ContactInterval]:
     Returns:
         the intervals in order, starting at the first vertex of the trajectory.
 
-    Cost: that of `Sweep.contacts`, plus O(c log c) for each edge with c contacts.
+    Cost: `Sweep.contacts`, plus O(c log c) for each edge with c contacts.
 
     Example:
         >>> from exactsweep import sweep

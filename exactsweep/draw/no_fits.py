@@ -7,42 +7,30 @@ from typing import TYPE_CHECKING, NamedTuple
 
 from exactsweep.canvas import style
 from exactsweep.canvas.scale import Scale
+from exactsweep.draw import sweeps
 from exactsweep.draw.figure import require_matplotlib
 from exactsweep.draw.insets import draw_with_details, find_details
 from exactsweep.draw.picture import Picture
-from exactsweep.draw.sweeps import (
-    draw_exact_fits,
-    draw_generatrix,
-    draw_shape,
-    find_shift,
-    make_axes,
-    move_to_anchor,
-    part_fits,
-    place_generatrix,
-    read_positions,
-)
+from exactsweep.evidence.no_fit import InnerFitAnswer, NoFitAnswer
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.geometry.region import Region
 from exactsweep.numbers.error import explain_type_errors
-from exactsweep.numbers.number import Point
+from exactsweep.numbers.number import Fit, Point
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-    from exactsweep.evidence.no_fit import InnerFitAnswer, NoFitAnswer
-    from exactsweep.numbers.number import Fit
-
 
 class Positions(NamedTuple):
-    """The contents of a picture of a no-fit polygon or an inner fit.
+    """The contents of a picture of a no-fit polygon, or of an inner fit, which has no exterior.
 
-    `called` has the names of both shapes and of the free regions. An inner fit has no exterior.
+    `names` are those of both shapes and of the free regions.
     """
 
     directrix: Region
     generatrix: Region
     reference: Point
-    called: tuple[str, str, str]
+    names: tuple[str, str, str]
     exterior: Region | None
     free: tuple[Region, ...]
     exact_fits: tuple[Fit, ...]
@@ -50,12 +38,10 @@ class Positions(NamedTuple):
 
     @classmethod
     def of(cls, found: NoFitAnswer | InnerFitAnswer) -> Positions:
-        from exactsweep.evidence.no_fit import InnerFitAnswer
-
         if isinstance(found, InnerFitAnswer):
             shapes = found.container, found.part, found.reference
-            called = "container D", "part G", "free positions"
-            return cls(*shapes, called, None, found.regions, found.exact_fits, found.placed)
+            names = "container D", "part G", "free positions"
+            return cls(*shapes, names, None, found.regions, found.exact_fits, found.placed)
         return cls(
             found.stationary,
             found.orbiting,
@@ -68,13 +54,12 @@ class Positions(NamedTuple):
 
     @property
     def loops(self) -> list[Polygon]:
-        """All boundary loops of positions with overlap."""
         regions = self.free if self.exterior is None else (self.exterior, *self.free)
         return [ring for region in regions for ring in (region.exterior, *region.holes)]
 
     def choose_positions(self) -> list[Point]:
-        """Choose positions to draw: exact fits of both kinds, a free one, and one outside."""
-        segments, points = part_fits(self.exact_fits)
+        """Choose positions: exact fits of both kinds, one on a hole, and one on the exterior."""
+        segments, points = sweeps.split_fits(self.exact_fits)
         found = [inside for _, inside in segments[:1]] + points[:1]
         found += [region.vertices[0] for region in self.free[:1]]
         if self.exterior is not None:
@@ -99,9 +84,6 @@ def plot_positions(
             some exact fits, free positions and a position on the exterior.
         y_down: see `plot_sweep`.
 
-    Returns:
-        the Axes.
-
     Raises:
         DrawError, PolygonError, NumberError: see `plot_sweep`.
 
@@ -116,24 +98,24 @@ def plot_positions(
         ['stationary D', 'exterior', 'orbiting G', 'reference point of G']
     """
     require_matplotlib()
-    axes, shown = axes or make_axes(), Positions.of(found)
-    places = shown.choose_positions() if positions is None else read_positions(positions)
-    fixed, moving, free = shown.called
-    by = find_shift(shown)
-    placed = [place_generatrix(shown, place) for place in places]
+    axes, shown = axes or sweeps.make_axes(), Positions.of(found)
+    places = shown.choose_positions() if positions is None else sweeps.read_positions(positions)
+    fixed, moving, free = shown.names
+    by = sweeps.find_shift(shown)
+    placed = [sweeps.place_generatrix(shown, place) for place in places]
     paths = [loop.translated(by).vertices for loop in shown.loops]
-    fits = [move_to_anchor(fit, shown) for fit in shown.exact_fits]
+    fits = [sweeps.move_to_anchor(fit, shown) for fit in shown.exact_fits]
 
     def paint(picture: Picture) -> None:
-        draw_shape(picture, shown.directrix, style.DIRECTRIX, fixed)
+        sweeps.draw_shape(picture, shown.directrix, style.DIRECTRIX, fixed)
         for other in shown.placed:
-            draw_shape(picture, other, style.GENERATRIX, "placed")
+            sweeps.draw_shape(picture, other, style.GENERATRIX, "placed")
         for region in shown.free:
-            draw_shape(picture, region.translated(by), style.FREE, free)
+            sweeps.draw_shape(picture, region.translated(by), style.FREE, free)
         if shown.exterior is not None:
             picture.line(paths[0], style.TRAJECTORY, "exterior", closed=True)
-        draw_exact_fits(picture, shown, shown.exact_fits, shown.loops)
-        draw_generatrix(picture, shown, places, moving)
+        sweeps.draw_exact_fits(picture, shown, shown.exact_fits, shown.loops)
+        sweeps.draw_generatrix(picture, shown, places, moving)
 
     drawn = [shown.directrix.vertices, *paths, *fits, *(g.vertices for g in placed)]
     everything = [point for points in drawn for point in points]

@@ -1,36 +1,24 @@
 """HTML pictures and tables of sweeps, no-fit polygons and inner fits, for notebooks."""
 
-from __future__ import annotations
-
 from collections.abc import Iterable
 from dataclasses import replace
-from typing import TYPE_CHECKING
 
 from exactsweep.canvas import style
 from exactsweep.canvas.svg import Shape, add_table, write_svg
+from exactsweep.draw import sweeps
 from exactsweep.draw.no_fits import Positions
-from exactsweep.draw.sweeps import (
-    Moving,
-    choose_telling_positions,
-    find_shift,
-    move_to_anchor,
-    part_fits,
-    place_generatrix,
-    trace_anchor,
-)
+from exactsweep.evidence.no_fit import InnerFitAnswer, NoFitAnswer
+from exactsweep.evidence.sweep import SweepAnswer
 from exactsweep.numbers.digits import abridge
+from exactsweep.numbers.number import Fit
 from exactsweep.words import CLASSES, write_pair, write_size
-
-if TYPE_CHECKING:
-    from exactsweep.evidence.no_fit import InnerFitAnswer, NoFitAnswer
-    from exactsweep.evidence.sweep import SweepAnswer
-    from exactsweep.numbers.number import Fit
 
 
 def draw_sweep(s: SweepAnswer) -> str:
-    """Draw a sweep as an SVG image: polygons, loops, trajectory, undercuts and exact fits."""
     outer, inner = s.outer.vertices, s.inner.vertices
-    placed = [place_generatrix(s, place).rings for place in choose_telling_positions(s)]
+    placed = [
+        sweeps.place_generatrix(s, place).rings for place in sweeps.choose_telling_positions(s)
+    ]
     unswept = [loop.vertices for loop in s.unswept]
     shapes = [
         Shape([outer, inner, *unswept], style.SWEPT),
@@ -39,18 +27,18 @@ def draw_sweep(s: SweepAnswer) -> str:
         Shape([outer], style.OUTER),
         Shape([inner, *unswept], style.INNER),
         *(Shape(list(rings), style.GENERATRIX) for rings in placed),
-        Shape([trace_anchor(s).vertices], style.TRAJECTORY),
+        Shape([sweeps.trace_anchor(s).vertices], style.TRAJECTORY),
         *_fit_shapes(s.exact_fits, s),
     ]
     title = f"{s.kind} sweep of {len(s.generatrix)} around {len(s.directrix)} vertices"
     return write_svg(shapes, title)
 
 
-def _fit_shapes(fits: Iterable[Fit], s: Moving) -> list[Shape]:
-    segments, points = part_fits(fits)
-    lines = [move_to_anchor(fit, s) for fit in segments]
-    # A line of length 0 with round ends is a dot.
-    dots = [move_to_anchor((p, p), s) for p in points]
+def _fit_shapes(fits: Iterable[Fit], s: sweeps.Moving) -> list[Shape]:
+    segments, points = sweeps.split_fits(fits)
+    lines = [sweeps.move_to_anchor(fit, s) for fit in segments]
+    # A line of length 0 with round ends appears as a dot.
+    dots = [sweeps.move_to_anchor((p, p), s) for p in points]
     return [
         Shape(lines, style.EXACT_FIT, closed=False),
         Shape(dots, replace(style.POINT_FIT, width=8), closed=False),
@@ -58,9 +46,8 @@ def _fit_shapes(fits: Iterable[Fit], s: Moving) -> list[Shape]:
 
 
 def draw_positions(found: NoFitAnswer | InnerFitAnswer) -> str:
-    """Draw a no-fit polygon or an inner fit as an SVG image."""
     shown = Positions.of(found)
-    by = find_shift(shown)
+    by = sweeps.find_shift(shown)
     exterior = () if shown.exterior is None else shown.exterior.translated(by).rings
     shapes = [
         Shape(list(shown.directrix.rings), style.DIRECTRIX),
@@ -68,7 +55,7 @@ def draw_positions(found: NoFitAnswer | InnerFitAnswer) -> str:
         *(Shape(list(region.translated(by).rings), style.FREE) for region in shown.free),
         Shape(list(exterior), style.TRAJECTORY),
         *(
-            Shape(list(place_generatrix(shown, place).rings), style.GENERATRIX)
+            Shape(list(sweeps.place_generatrix(shown, place).rings), style.GENERATRIX)
             for place in shown.choose_positions()
         ),
         *_fit_shapes(shown.exact_fits, shown),
@@ -80,11 +67,9 @@ def draw_positions(found: NoFitAnswer | InnerFitAnswer) -> str:
 
 
 def show_positions(found: NoFitAnswer | InnerFitAnswer) -> str:
-    """Return HTML of a no-fit polygon or an inner fit: its picture and a table of sizes."""
-    from exactsweep.evidence.no_fit import NoFitAnswer
-
+    """Write a picture and a table of sizes as HTML."""
     shown = Positions.of(found)
-    fixed, moving, _ = (name.split()[0] for name in shown.called)
+    fixed, moving, _ = (name.split()[0] for name in shown.names)
     rows = [
         ("reference", write_pair(found.reference)),
         (fixed, write_size(len(shown.directrix), shown.directrix.area)),
@@ -101,7 +86,7 @@ def show_positions(found: NoFitAnswer | InnerFitAnswer) -> str:
 
 
 def show_sweep(s: SweepAnswer) -> str:
-    """Return HTML of a sweep: its picture, class, and the sizes of its loops."""
+    """Write a picture and a table of sizes as HTML."""
     rows = [
         ("class", CLASSES[s.kind]),
         ("direction", "no shared direction" if s.direction is None else write_pair(s.direction)),

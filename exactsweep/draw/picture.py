@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from math import ceil, nan
 from typing import TYPE_CHECKING, Any
 
+from exactsweep.canvas import style
 from exactsweep.canvas.scale import Scale
 from exactsweep.canvas.style import Look, use_style
+from exactsweep.numbers.error import explain_type_errors
 from exactsweep.numbers.number import Vertex
 
 if TYPE_CHECKING:
@@ -15,10 +17,11 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
     from matplotlib.transforms import Bbox
 
-# Inches: the height and the width of a legend entry, and the margins of the Axes.
+# In inches: the height and the width of a legend entry, the margins of the Axes, and their minimum
+# width.
 _LEGEND_LINE, _LEGEND_WIDTH = 0.18, 2.0
 _LEFT, _RIGHT, _ABOVE, _BELOW = 0.75, 0.1, 0.35, 0.55
-_LEAST_WIDTH = 0.5
+_MIN_WIDTH = 0.5
 _LEGEND_COLUMNS = 3
 # The aspect ratio of a picture with different units on the axes.
 _STRETCHED_ASPECT = 0.6
@@ -28,14 +31,10 @@ class Picture:
     r"""Matplotlib Axes for shapes with exact coordinates.
 
     Args:
-        axes: an Axes, whose aspect and labels are set.
-        scale: a Scale that covers the shapes.
+        axes: an Axes, whose aspect ratio and labels are set.
+        scale: a Scale that covers the shapes; `scale.place` returns the position of a point.
         y_down: whether Y points down, as in SVG.
-        window: the lower left and the upper right corner of the visible part; by default,
-            everything is visible.
-
-    Attributes:
-        axes, scale, y_down: see above; `scale.place` returns the position of a point on the Axes.
+        window: the lower left and the upper right corner of the visible part; default: everything.
 
     Example:
         >>> from exactsweep import Polygon
@@ -85,7 +84,7 @@ class Picture:
     def shape(
         self, rings: Iterable[Iterable[Vertex]], look: Look, label: str | None = None
     ) -> None:
-        """Fill the interior of the first loop minus those of the others, all counter-clockwise."""
+        """Fill the first loop except for the others, all of which are counter-clockwise."""
         from matplotlib.patches import PathPatch
         from matplotlib.path import Path
 
@@ -96,7 +95,7 @@ class Picture:
         ]
         path = Path.make_compound_path(*paths)
         if self._window is not None:
-            # Single-precision formats misplace points far outside.
+            # Formats with single precision misplace points far outside.
             path = path.clip_to_bbox(self._box(of=3))
             if not path.to_polygons():
                 return
@@ -110,7 +109,6 @@ class Picture:
         *,
         closed: bool = False,
     ) -> None:
-        """Draw a chain, or a loop if it is closed."""
         chain = list(points)
         self.lines([[*chain, chain[0]] if closed else chain], look, label)
 
@@ -118,19 +116,19 @@ class Picture:
         self, chains: Iterable[Iterable[Vertex]], look: Look, label: str | None = None
     ) -> None:
         """Draw several chains with a single legend entry."""
-        parted = [place for chain in chains for place in ((nan, nan), *self.scale.places(chain))]
-        xs, ys = ([place[axis] for place in parted[1:]] for axis in (0, 1))
+        # NaNs separate the chains.
+        places = [place for chain in chains for place in ((nan, nan), *self.scale.places(chain))]
+        xs, ys = ([place[axis] for place in places[1:]] for axis in (0, 1))
         self.axes.plot(xs, ys, label=self._once(label), **look.as_line)
 
     def text(self, at: Vertex, words: str, *, color: str = "black") -> None:
-        """Write text above and to the right of a point."""
+        """Write text to the upper right of a point."""
         self.axes.annotate(
             words, self.scale.place(at), (4, 4), textcoords="offset points", color=color, zorder=8
         )
 
     @property
     def aspect(self) -> float:
-        """The ratio of height to width."""
         if not self.scale.is_true:
             return _STRETCHED_ASPECT
         left, right = self.axes.get_xlim()
@@ -149,19 +147,18 @@ class Picture:
         self.axes.set(xticks=[], yticks=[], xlabel="", ylabel="")
 
     def legend(self) -> None:
-        """Place the legend on the right of the picture, or below it if the legend is taller."""
+        """Put the legend on the right of the picture, or below it if the legend is taller."""
         if not self.scale.is_true:
             self.axes.set_box_aspect(_STRETCHED_ASPECT)
         entries = len(self.axes.get_legend_handles_labels()[1])
         width, height = self._space()
-        # The aspect ratio including the details.
         whole = self.aspect + self._reserved
         drawn = min(width - _LEGEND_WIDTH, height / whole)
         fits_right = entries * _LEGEND_LINE <= drawn * whole
         if not fits_right:
             rows = ceil(entries / _LEGEND_COLUMNS) + 1
             drawn = min(width, (height - rows * _LEGEND_LINE) / whole)
-        self._lay_out(max(drawn, _LEAST_WIDTH))
+        self._lay_out(max(drawn, _MIN_WIDTH))
         place: dict[str, Any] = {"bbox_to_anchor": (1.01, 1.0)}
         if not fits_right:
             shown = self.axes.get_position(original=True).width * self._figure_size()[0]
@@ -171,7 +168,7 @@ class Picture:
             self.axes.legend(loc="upper left", borderaxespad=0.0, **place)
 
     def _alone(self) -> Figure | None:
-        """Return the figure if it has a layout and only these Axes."""
+        """Return the figure if these are its only Axes and it has a layout."""
         from matplotlib.figure import Figure
 
         figure = self.axes.figure
@@ -184,7 +181,7 @@ class Picture:
         return figure.bbox.width / figure.dpi, figure.bbox.height / figure.dpi
 
     def _space(self) -> tuple[float, float]:
-        """Return the space for the Axes and the legend, in inches."""
+        """Return the width and height for the Axes and the legend, in inches."""
         width, height = self._figure_size()
         if self._alone():
             return width - _LEFT - _RIGHT, height - _ABOVE - _BELOW
@@ -214,3 +211,21 @@ class Picture:
             return None
         self._named.add(label)
         return label
+
+
+@explain_type_errors
+def draw_chains(picture: Picture, chains: Mapping[str, Iterable[Vertex]]) -> None:
+    """Draw named chains, each with its own color and marker."""
+    for k, (name, chain) in enumerate(chains.items()):
+        picture.line(chain, style.choose_chain_look(k), name)
+
+
+@explain_type_errors
+def draw_sub_trajectories(
+    picture: Picture, chains: Iterable[Iterable[Vertex]], envelope: Iterable[Vertex] | None = None
+) -> None:
+    """Draw sub-trajectories as thin dashed lines, and their lower envelope as a bold line."""
+    for chain in chains:
+        picture.line(chain, style.SUB_TRAJECTORY, "sub-trajectory")
+    if envelope is not None:
+        picture.line(envelope, style.ENVELOPE, "lower envelope")

@@ -9,31 +9,28 @@ from typing import TYPE_CHECKING, Protocol
 from exactsweep.canvas import style
 from exactsweep.canvas.scale import Scale
 from exactsweep.canvas.style import Look
-from exactsweep.draw.features import Ends, SweepFeatures
 from exactsweep.draw.figure import require_matplotlib
 from exactsweep.draw.insets import draw_with_details, find_details
-from exactsweep.draw.intervals import cut_trajectory
+from exactsweep.draw.intervals import Ends, SweepFeatures, cut_trajectory
 from exactsweep.draw.picture import Picture
+from exactsweep.evidence.sweep import SweepAnswer
+from exactsweep.evidence.undercut import Undercut
 from exactsweep.geometry.point_set import is_on
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.geometry.reading import read_point
 from exactsweep.geometry.region import AnyPolygon
 from exactsweep.numbers.error import explain_type_errors
-from exactsweep.numbers.number import Point
+from exactsweep.numbers.number import Fit, Point
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-    from exactsweep.evidence.sweep import SweepAnswer
-    from exactsweep.evidence.undercut import Undercut
-    from exactsweep.numbers.number import Fit
-
-_MOST_SHOWN = 4
-_MANY = 60
+_MAX_SHOWN = 4
+_MAX_MARKED_FITS = 60
 
 
 class Moving(Protocol):
-    """A pair with a moving shape G: a Sweep, or the shapes of a no-fit polygon."""
+    """A Sweep, or the shapes of a no-fit polygon or an inner fit."""
 
     @property
     def generatrix(self) -> AnyPolygon: ...
@@ -64,9 +61,6 @@ def plot_sweep(
         positions: positions at which to draw G, as pairs of numbers; by default those of
             `choose_telling_positions`.
         y_down: whether Y points down, as in SVG viewers.
-
-    Returns:
-        the Axes.
 
     Raises:
         DrawError: matplotlib is not installed.
@@ -103,7 +97,6 @@ def plot_sweep(
 
 
 def make_axes() -> Axes:
-    """Return the Axes of a new pyplot figure."""
     require_matplotlib()
     from matplotlib import pyplot
 
@@ -113,14 +106,13 @@ def make_axes() -> Axes:
 
 
 def read_positions(positions: Iterable[Iterable[object]]) -> list[Point]:
-    """Convert pairs of numbers to positions."""
     return [read_point(place, f"position {k}") for k, place in enumerate(positions)]
 
 
 def find_anchor(s: Moving) -> Point:
     """Return the anchor, the point of G whose path is drawn.
 
-    It is the reference point, or a vertex of G if the reference point is so far from G that both
+    This is the reference point, or a vertex of G if the reference point is so far from G that both
     polygons would be tiny in the picture.
     """
     (left, bottom), (right, top) = s.generatrix.bounding_box
@@ -138,7 +130,6 @@ def name_anchor(s: Moving) -> str:
 
 
 def find_shift(s: Moving) -> Point:
-    """Return the vector from the reference point to the anchor."""
     x, y = find_anchor(s)
     return Point(x - s.reference.x, y - s.reference.y)
 
@@ -162,13 +153,13 @@ def choose_telling_positions(s: SweepAnswer) -> list[Point]:
     """
     corner = s.trajectory.vertices[0]
     closing = [undercut.positions[0] for undercut in s.undercuts]
-    found = _far_apart(closing, [corner], _MOST_SHOWN - 2)
+    found = _choose_distant(closing, [corner], _MAX_SHOWN - 2)
     inside = [end for _, end in s.exact_fits]
-    found += _far_apart(inside, [corner, *found], _MOST_SHOWN - 1 - len(found))
+    found += _choose_distant(inside, [corner, *found], _MAX_SHOWN - 1 - len(found))
     return list(dict.fromkeys([*found, corner]))
 
 
-def _far_apart(points: Iterable[Point], others: Iterable[Point], most: int) -> list[Point]:
+def _choose_distant(points: Iterable[Point], others: Iterable[Point], most: int) -> list[Point]:
     """Choose points greedily, each as far as possible from all others."""
     far = list(others)
     listed = list(dict.fromkeys(points))
@@ -200,13 +191,11 @@ def draw_loops(picture: Picture, s: SweepAnswer) -> None:
 
 @explain_type_errors
 def draw_shape(picture: Picture, shape: AnyPolygon, look: Look, label: str | None = None) -> None:
-    """Draw a polygon with its holes."""
     picture.shape(shape.rings, look, label)
 
 
 @explain_type_errors
 def draw_undercuts(picture: Picture, undercuts: Iterable[Undercut]) -> None:
-    """Hatch undercuts."""
     for undercut in undercuts:
         picture.area(undercut.polygon.vertices, style.UNDERCUT, "undercut")
 
@@ -236,27 +225,27 @@ def draw_exact_fits(
 ) -> None:
     """Draw exact fits as positions of the anchor, with hollow markers at ends on a loop.
 
-    More than 60 segments become thin lines without markers; isolated positions are stars.
+    More than 60 segments become thin lines without markers; single positions become stars.
     """
-    segments, points = part_fits(fits)
+    segments, points = split_fits(fits)
     if segments:
-        look = style.MANY_EXACT_FITS if len(segments) > _MANY else style.EXACT_FIT
+        look = style.MANY_EXACT_FITS if len(segments) > _MAX_MARKED_FITS else style.EXACT_FIT
         picture.lines([move_to_anchor(fit, s) for fit in segments], look, "exact fit")
-    if 0 < len(segments) <= _MANY:
-        hanging = [
+    if 0 < len(segments) <= _MAX_MARKED_FITS:
+        ends = [
             [p]
             for p in dict.fromkeys(p for fit in segments for p in fit)
             if any(is_on(p, loop.vertices) for loop in loops)
         ]
-        picture.lines([move_to_anchor(end, s) for end in hanging], style.HANGING_END)
+        picture.lines([move_to_anchor(end, s) for end in ends], style.HANGING_END)
     if points:
         picture.lines(
             [move_to_anchor([p], s) for p in points], style.POINT_FIT, "exact fit, one position"
         )
 
 
-def part_fits(fits: Iterable[Fit]) -> tuple[list[Fit], list[Point]]:
-    """Split exact fits into segments and isolated positions."""
+def split_fits(fits: Iterable[Fit]) -> tuple[list[Fit], list[Point]]:
+    """Split exact fits into segments and single positions."""
     listed = list(fits)
     return [fit for fit in listed if fit[0] != fit[1]], [p for p, q in listed if p == q]
 
@@ -287,7 +276,6 @@ def draw_contacts(picture: Picture, s: SweepAnswer, positions: Iterable[Point]) 
 
 
 def find_spots(s: SweepAnswer, positions: Iterable[Point]) -> dict[str, list[Ends]]:
-    """Return the points of contact at positions of the reference point, by event."""
     features = SweepFeatures(s)
     spots: dict[str, list[Ends]] = {}
     for position in positions:
@@ -297,7 +285,6 @@ def find_spots(s: SweepAnswer, positions: Iterable[Point]) -> dict[str, list[End
 
 
 def draw_spots(picture: Picture, spots: Mapping[str, list[Ends]]) -> None:
-    """Mark points of contact, by event."""
     for event, look in style.CONTACTS.items():
         if event in spots:
             picture.lines(spots[event], look, f"contact, {event}")

@@ -1,6 +1,5 @@
-"""An interactive page of a sweep, as one HTML file."""
+"""The interactive page of a result, as one HTML file."""
 
-from exactsweep.view.inline import InlinePage
-from exactsweep.view.page import make_page
+from exactsweep.view.page import InlinePage, make_page
 
 __all__ = ["InlinePage", "make_page"]

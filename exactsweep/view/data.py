@@ -1,22 +1,21 @@
 """Data of the page: exactly scaled coordinates as floats, and exact coordinates as text.
 
-A stop is a vertex of a track, or a point of an edge where a contact begins or ends, two vertices
+A stop is a vertex of a track, or a point of an edge at which a contact begins or ends, two vertices
 meet, or G closes an undercut. Contacts are constant between stops. For large pairs, meetings of two
 vertices are not stops. The page computes the contacts at a stop.
 """
 
-from __future__ import annotations
-
 from bisect import bisect_left, bisect_right
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from itertools import pairwise
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import Any, NamedTuple
 
 from exactsweep.draw import ContactInterval, DrawError, Scale
 from exactsweep.draw.intervals import cut_loops
 from exactsweep.draw.no_fits import Positions
 from exactsweep.draw.sweeps import Moving, find_anchor, move_to_anchor, name_anchor, trace_anchor
 from exactsweep.evidence.contact import Contact
+from exactsweep.evidence.no_fit import InnerFitAnswer, NoFitAnswer
 from exactsweep.evidence.sweep import SweepAnswer
 from exactsweep.geometry.region import AnyPolygon
 from exactsweep.geometry.vectors import orientation
@@ -26,19 +25,16 @@ from exactsweep.text.results import list_indices
 from exactsweep.view.meetings import Meetings, find_meetings
 from exactsweep.words import CLASSES
 
-if TYPE_CHECKING:
-    from exactsweep.evidence.no_fit import InnerFitAnswer, NoFitAnswer
-
 
 class Track(NamedTuple):
-    """A loop of positions along which G moves; an exact fit is traced back and forth."""
+    """A loop of positions along which G moves, or an exact fit, traced back and forth."""
 
     name: str
     corners: Sequence[Point]
 
 
 class Stop(NamedTuple):
-    """A position of the reference point, with the contacts up to the next stop."""
+    """A position, its index in the track if a vertex, and the contacts up to the next stop."""
 
     position: Point
     vertex: int | None
@@ -53,7 +49,7 @@ def list_tracks(s: SweepAnswer) -> list[Track]:
 def _name_tracks(
     loops: Sequence[Sequence[Point]], fits: Iterable[Fit], first: str = ""
 ) -> list[Track]:
-    """Name loops and exact fits; `first` is the name of the exterior, if it is the first loop."""
+    """Name loops and exact fits; `first` names the first loop if it is the exterior."""
     found = [Track(first, loops[0])] if first else []
     word = "hole" if first else "loop"
     found += [Track(f"{word} {k}", loop) for k, loop in enumerate(loops[len(found) :])]
@@ -62,12 +58,7 @@ def _name_tracks(
 
 
 def track_stops(s: SweepAnswer, listed: Sequence[Track]) -> tuple[list[list[Stop]], bool]:
-    """Return the stops of each track, and whether meetings of two vertices are included.
-
-    The `vertex` of a Stop is its index in the track, or None inside an edge. Cost: that of
-    `Sweep.contacts_along`, `undercuts`, `exact_fits` and `Meetings`, plus O(log u) for each
-    interval, for u positions of undercuts and ends of exact fits.
-    """
+    """Return the stops of each track, and whether meetings of two vertices are included."""
     meetings = find_meetings(s, sum(len(track.corners) for track in listed))
     loops = [track.corners for track in listed if len(track.corners) > 1]
     return _cut_tracks(listed, cut_loops(s, loops), _landmarks(s), meetings), meetings is not None
@@ -79,7 +70,6 @@ def _cut_tracks(
     landmarks: Sequence[Point],
     meetings: Meetings | None,
 ) -> list[list[Stop]]:
-    """Cut the intervals of tracks at landmarks and meetings, except those of single positions."""
     found = []
     for _, corners in listed:
         if len(corners) == 1:
@@ -102,21 +92,21 @@ def gather_page_data(
     *,
     names: tuple[str, str] | None = None,
     y_down: bool = False,
-    tell: Callable[[str], object] = str,
+    progress: Callable[[str], object] = str,
 ) -> dict[str, Any]:
-    """Collect the data for a Sweep's page as JSON data; see `make_page` for the arguments.
+    """Collect the JSON data for a Sweep's page; for the arguments see `make_page`.
 
     Scaled coordinates are flat lists x, y, x, y, ... of floats, for G relative to the anchor.
     "exact" holds the coordinates as strings, in the same order.
     """
-    tell("the loops")
+    progress("the loops")
     outer, moved = s.outer.vertices, trace_anchor(s).vertices
     scale = Scale.of(outer, moved)
-    tell("exact fits")
+    progress("exact fits")
     listed = list_tracks(s)
-    tell("undercuts")
+    progress("undercuts")
     closed = s.undercuts
-    tell(f"contacts along {sum(len(track.corners) for track in listed)} edges")
+    progress(f"contacts along {sum(len(track.corners) for track in listed)} edges")
     found, has_meetings = track_stops(s, listed)
     number = {stop.position: k for k, stop in enumerate(found[0])}
     stops = {track.name: on_track for track, on_track in zip(listed, found, strict=True)}
@@ -152,10 +142,9 @@ def gather_positions(
     names: tuple[str, str] | None = None,
     y_down: bool = False,
 ) -> dict[str, Any]:
-    """Collect the data for the page of a no-fit polygon or an inner fit as JSON data.
+    """Collect the JSON data for the page of a no-fit polygon or an inner fit.
 
     Stops are the vertices of loops, ends of exact fits on loops, and meetings of two vertices.
-    Raises DrawError if there is no position.
     """
     shapes = Positions.of(found)
     is_outside = shapes.exterior is not None
@@ -195,7 +184,7 @@ def _gather_tracks(
     *,
     outside: int,
 ) -> dict[str, Any]:
-    """Collect the tracks, loops first, and the exact fits with a mark for ends on loops."""
+    """Collect the tracks, loops first, and the exact fits; "hangs" marks ends on loops."""
     loops = len(stops) - len(fits)
     on_loops = {stop.position for on_track in [*stops.values()][:loops] for stop in on_track}
     return {
@@ -243,13 +232,12 @@ def gather_shapes(
 
 
 def show_points(scale: Scale, points: Sequence[Point]) -> dict[str, Any]:
-    """Return the scaled and the exact coordinates of points."""
     places = [c for point in points for c in scale.place(point)]
     return {"places": places, "exact": _exact(points)}
 
 
 def show_positions(s: Moving, scale: Scale, points: Sequence[Point]) -> dict[str, Any]:
-    """Return scaled positions of the anchor and exact positions of the reference point."""
+    """Return scaled positions of the anchor, and exact positions of the reference point."""
     return {**show_points(scale, move_to_anchor(points, s)), "exact": _exact(points)}
 
 

@@ -17,19 +17,15 @@ from exactsweep.geometry.vectors import cross, minus, orientation
 from exactsweep.numbers.number import Point
 
 # The numbers of vertex pairs, and of tests of a pair with an edge, that take about a second.
-_MOST_PAIRS, _MOST_LOOKS = 250_000, 4_000_000
+_MAX_PAIRS, _MAX_TESTS = 250_000, 4_000_000
 
 
 class Meetings:
     """The positions at which two vertices meet without overlap near them.
 
-    Args:
-        s: the moving and the stationary shape, of a sweep or a fit.
-        others: more stationary shapes.
-        inside: whether the moving shape is inside the stationary one, as in an inner fit.
-
-    Cost: O((m + n) log(m + n) + p log p) for p pairs of an edge and a vertex that can touch without
-    overlap: O(m + n) for convex polygons, O(m n) for others.
+    `others` are more stationary shapes; `inside` is true for inner fits. Cost:
+    O((m + n) log(m + n) + p log p) for p pairs of an edge and a vertex that can touch without
+    overlap; p is O(m + n) for convex polygons, and O(mn) in general.
     """
 
     def __init__(
@@ -51,14 +47,11 @@ class Meetings:
         self.translations = sorted(translations)
 
     def on_edges(self, loop: Sequence[Point]) -> list[Point]:
-        """Return the sorted meetings inside edges of a loop of free positions.
-
-        Cost: O(t log p) for t edges, plus O(1) for each edge and each position in its x-range.
-        """
+        """Return the sorted meetings inside edges of a loop of free positions."""
         (rx, ry), scale = self.reference, self.scale
-        raised = [((x - rx) * scale, (y - ry) * scale) for x, y in loop]
+        corners = [((x - rx) * scale, (y - ry) * scale) for x, y in loop]
         found = set()
-        for p, q in pairwise([*raised, raised[0]]):
+        for p, q in pairwise([*corners, corners[0]]):
             low, high = sorted((p, q))
             start = bisect_right(self.translations, low)
             for x, y in self.translations[start : bisect_left(self.translations, high)]:
@@ -71,36 +64,35 @@ def find_meetings(
     s: Moving, corners: int, others: Sequence[AnyPolygon] = (), *, inside: bool = False
 ) -> Meetings | None:
     """Return the meetings of vertices, or None if the search would take more than a second."""
-    if len(s.generatrix) * sum(map(len, (s.directrix, *others))) > _MOST_PAIRS:
+    if len(s.generatrix) * sum(map(len, (s.directrix, *others))) > _MAX_PAIRS:
         return None
     found = Meetings(s, others, inside=inside)
-    return found if len(found.translations) * corners <= _MOST_LOOKS else None
+    return found if len(found.translations) * corners <= _MAX_TESTS else None
 
 
 def find_facing(shape: Outline, outline: Outline) -> Iterator[tuple[int, int]]:
     """Yield the pairs of an edge of one polygon and a vertex of another that can touch.
 
     The vertex must be convex, and the direction of the reversed edge must lie between those of the
-    two edges at the vertex. Vertices must be corners. Cost: O((m + n) log n + pairs) for n edges
-    and m vertices.
+    two edges at the vertex. Cost: O((m + n) log n + pairs) for n edges and m vertices.
 
     >>> square, steep = Outline([[(0, 0), (1, 0), (1, 1), (0, 1)]]), Outline([[(1, 0), (0, 1)]])
     >>> sorted(pair for pair in find_facing(steep, square) if pair[0] == 0)
     [(0, 0)]
     """
-    # Slopes of edges at most 2**n wide differ by at least 4**-n: ints in that unit preserve order.
+    # Slopes of edges at most 2**n wide differ by at least 4**-n: ints in that unit keep the order.
     widths = [piece.direction[0] for o in (shape, outline) for piece in o.pieces]
     bits = 2 * max(widths).bit_length()
 
-    def angle(o: Outline, k: int, *, turned: bool) -> tuple[bool, float]:
+    def angle(o: Outline, k: int, *, reverse: bool) -> tuple[bool, float]:
         """Return a key that orders directed edges by angle, starting just above -90 degrees."""
         a, b = o.pieces[k].direction
         p, q = o.edge(k)
-        return (p > q) != turned, (b << bits) // a if a else inf
+        return (p > q) != reverse, (b << bits) // a if a else inf
 
-    order = sorted((angle(shape, i, turned=True), i) for i in range(len(shape.vertices)))
+    order = sorted((angle(shape, i, reverse=True), i) for i in range(len(shape.vertices)))
     angles = [key for key, _ in order]
-    directions = [angle(outline, k, turned=False) for k in range(len(outline.vertices))]
+    directions = [angle(outline, k, reverse=False) for k in range(len(outline.vertices))]
     for j, into in enumerate(outline.before):
         first, last = directions[into], directions[j]
         if (cross(outline.pieces[into].direction, outline.pieces[j].direction) > 0) == (

@@ -1,6 +1,4 @@
-"""The page: one HTML file with style, scripts and data."""
-
-from __future__ import annotations
+"""The page: one HTML file that contains style, scripts and data."""
 
 import json
 import re
@@ -9,14 +7,12 @@ from collections.abc import Callable
 from hashlib import sha256
 from html import escape
 from importlib.resources import files
-from typing import TYPE_CHECKING
 
 from exactsweep.canvas.style import write_style_sheet
+from exactsweep.evidence.no_fit import InnerFitAnswer, NoFitAnswer
+from exactsweep.evidence.sweep import SweepAnswer
 from exactsweep.numbers.error import explain_type_errors
-
-if TYPE_CHECKING:
-    from exactsweep.evidence.no_fit import InnerFitAnswer, NoFitAnswer
-    from exactsweep.evidence.sweep import SweepAnswer
+from exactsweep.view.data import gather_page_data, gather_positions
 
 # d3-zoom and its dependencies, in dependency order; see vendor/README.md.
 _LIBRARIES = (
@@ -36,7 +32,7 @@ def make_page(
     *,
     names: tuple[str, str] | None = None,
     y_down: bool = False,
-    tell: Callable[[str], object] = str,
+    progress: Callable[[str], object] = str,
 ) -> str:
     """Return an interactive HTML page on which G moves around D, or inside a container.
 
@@ -44,11 +40,11 @@ def make_page(
         s: a Sweep, a NoFitPolygon or an InnerFit.
         names: the names of G and D, such as their file names.
         y_down: whether Y points down, as in SVG viewers.
-        tell: a callback that receives the name of each long step.
+        progress: a callback that receives the name of each long step.
 
     Returns:
-        A self-contained HTML document. Its content security policy allows only its own scripts, and
-        no network access.
+        A self-contained HTML document, whose content security policy permits only its own scripts
+        and no network access.
 
     Cost: linear in the length of the result, plus the cost of loops, contacts and undercuts.
 
@@ -58,13 +54,10 @@ def make_page(
         >>> make_page(sweep(square, square)).startswith("<!doctype html>")
         True
     """
-    from exactsweep.evidence.sweep import SweepAnswer
-    from exactsweep.view.data import gather_page_data, gather_positions
-
     if isinstance(s, SweepAnswer):
-        data = gather_page_data(s, names=names, y_down=y_down, tell=tell)
+        data = gather_page_data(s, names=names, y_down=y_down, progress=progress)
     else:
-        tell("all positions")
+        progress("all positions")
         data = gather_positions(s, names=names, y_down=y_down)
     library = "\n".join(_text(f"vendor/d3-{name}.min.js") for name in _LIBRARIES)
     notice = _text("vendor/LICENSE").strip()
@@ -88,10 +81,37 @@ def _text(name: str) -> str:
 
 
 def embed_json(data: object) -> str:
-    """Return JSON that cannot close the script element around it."""
+    """Write JSON that cannot close the script element around it."""
     text = json.dumps(data, separators=(",", ":"))
     return text.replace("<", "\\u003c").replace(">", "\\u003e").replace("&", "\\u0026")
 
 
 def _digest(text: str) -> str:
     return b64encode(sha256(text.encode()).digest()).decode()
+
+
+class InlinePage:
+    """The page of a Sweep in a notebook, in a frame of a given height in pixels.
+
+    Example:
+        >>> from exactsweep import sweep
+        >>> square = [(0, 0), (1, 0), (1, 1), (0, 1)]
+        >>> sweep(generatrix=square, directrix=square).view()
+        <InlinePage: Sweep of 4 around 4 vertices>
+    """
+
+    def __init__(self, s: SweepAnswer, height: int = 600) -> None:
+        self.html = make_page(s)
+        self._height = height
+        self._title = f"Sweep of {len(s.generatrix)} around {len(s.directrix)} vertices"
+
+    def __repr__(self) -> str:
+        return f"<InlinePage: {self._title}>"
+
+    def _repr_html_(self) -> str:
+        # Scripts in a sandboxed frame cannot access the notebook.
+        return (
+            f'<iframe title="{escape(self._title)}" sandbox="allow-scripts" '
+            f'srcdoc="{escape(self.html)}" '
+            f'style="width:100%;height:{self._height}px;border:0"></iframe>'
+        )

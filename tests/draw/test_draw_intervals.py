@@ -8,7 +8,7 @@ from tiers import examples
 
 from exactsweep import Point, Polygon, Sweep, sweep
 from exactsweep.draw import ContactInterval, cut_trajectory
-from exactsweep.draw.features import SweepFeatures
+from exactsweep.draw.intervals import SweepFeatures
 from exactsweep.evidence.contact import Contact
 
 any_pair = pairs("CC") | pairs("CM") | pairs("MM")

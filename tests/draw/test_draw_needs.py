@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from exactsweep.canvas.error import DrawError
+from exactsweep.canvas.window import DrawError
 from exactsweep.draw.figure import require_matplotlib
 from exactsweep.formats.error import FormatError
 from exactsweep.numbers.error import require_imports

@@ -91,8 +91,8 @@ def test_two_vertices_that_meet_on_the_way_make_a_stop() -> None:
 @pytest.mark.parametrize(
     ("limit", "most"),
     [
-        ("_MOST_PAIRS", len(EXAMPLE.generatrix) * len(EXAMPLE.directrix)),
-        ("_MOST_LOOKS", len(Meetings(EXAMPLE).translations) * len(EXAMPLE.trajectory)),
+        ("_MAX_PAIRS", len(EXAMPLE.generatrix) * len(EXAMPLE.directrix)),
+        ("_MAX_TESTS", len(Meetings(EXAMPLE).translations) * len(EXAMPLE.trajectory)),
     ],
 )
 def test_large_sweeps_say_that_vertices_that_meet_make_no_stops(
@@ -175,7 +175,7 @@ def test_file_names_are_in_the_page_as_text(tmp_path: Path) -> None:
 
 def test_the_page_reports_its_progress() -> None:
     steps: list[str] = []
-    assert make_page(SLOT, tell=steps.append) == make_page(SLOT)
+    assert make_page(SLOT, progress=steps.append) == make_page(SLOT)
     assert steps == ["the loops", "exact fits", "undercuts", "contacts along 8 edges"]
 
 

@@ -122,7 +122,7 @@ def draw_parts(
     height = min(_MOST, max(_LEAST, round(share * wide) + 2 * _MARGIN))
     window = Window.around(points, width, height, _MARGIN)
     if y_down:
-        window = window.turned()
+        window = window.flipped()
     # Missing and surplus faults are not due to a single placement.
     bad = {k for one in ranked if not one.fault.number for k in one.fault.placements}
     drawn = [_draw("defect", shape, window) for shape in defects]
@@ -169,7 +169,7 @@ def enlarge_faults(
         low, high = (Point(center.x + by, center.y + by) for by in (-near, near))
         window = Window(*low, *high, SIDE, SIDE)
         if y_down:
-            window = window.turned()
+            window = window.flipped()
         around, defects = list_walls(layout)
         shapes = [("defect", one) for one in defects]
         shapes += [("bad", one) for one in placed.values()]

@@ -6,7 +6,7 @@ from itertools import chain, pairwise
 
 from exactsweep import Point, sweep
 from exactsweep.check import classify, point_in_polygon
-from exactsweep.draw.features import SweepFeatures
+from exactsweep.draw.intervals import SweepFeatures
 from exactsweep.evidence.undercut import Undercut
 from exactsweep.numbers.number import Vertex
 from exactsweep.paper.checks.section1 import STEP

@@ -4,7 +4,7 @@ from fractions import Fraction
 from typing import NamedTuple
 
 from exactsweep.draw import ContactInterval, cut_trajectory
-from exactsweep.draw.features import SweepFeatures
+from exactsweep.draw.intervals import SweepFeatures
 from exactsweep.evidence.contact import Contact
 from exactsweep.evidence.undercut import Undercut
 from exactsweep.geometry.region import Vertices
