@@ -18,10 +18,10 @@ from typing import Any
 
 import click
 
-from exactsweep.check.claims import to_claim
-from exactsweep.check.extracted import ask
 from exactsweep.check.standalone import Refused, prove
-from exactsweep.check.terms import TheoremError
+from exactsweep.theorem.claims import to_claim
+from exactsweep.theorem.extracted import ask
+from exactsweep.theorem.terms import TheoremError
 
 # Tests import each other by bare names, as under pytest.
 sys.path.insert(0, str(Path(__file__).parent))
@@ -29,7 +29,7 @@ sys.path.insert(0, str(Path(__file__).parent / "support"))
 from falsify import LAYOUTS, ROUNDED, SHAPES, SUMS, change, mix
 from weakened_coq import weaken
 
-# Reasons of `standalone.py` that concern the form of a certificate: `claims.py` reads more forms.
+# Reasons of `standalone.py` that concern the form of a certificate: `theorem/` reads more forms.
 FORM = re.compile(
     "not an? |lowest terms|neither true nor false|id missing|duplicate|below 0|unknown part"
     "|repeated point|fewer than three|not rounded pieces alone|no pieces|unit circle"

@@ -77,7 +77,7 @@ def verify_command(
     if extracted and verdict.proved:
         verdict = _ask_extracted(certificate, verdict)
     if coq is not None and verdict.proved:
-        from exactsweep.check.theorem import write_theorem
+        from exactsweep.theorem.coq import write_theorem
 
         write(write_theorem(certificate, Path(coq).stem), coq)
     if as_json:
@@ -105,7 +105,7 @@ def _read(name: str, file: str) -> Any:
 
 
 def _ask_extracted(certificate: Any, verdict: Any) -> Any:
-    from exactsweep.check.extracted import ask
+    from exactsweep.theorem.extracted import ask
 
     try:
         with working("running the extracted checker"):

@@ -25,10 +25,9 @@ from exactsweep import (
     no_fit_polygon,
     sweep,
 )
-from exactsweep.check.claims import to_claim
-from exactsweep.check.extracted import build_checker
-from exactsweep.check.terms import write_numbers
 from exactsweep.layout import Layout, LayoutError, judge_layout
+from exactsweep.theorem.claims import to_claim, write_numbers
+from exactsweep.theorem.extracted import build_checker
 
 CONJUNCTION = "(&&)"
 LOOP = "(* One claim a line"

@@ -1,5 +1,5 @@
 (* The assumptions of the main theorems: each line prints "Closed under the global context", that is, no axiom. *)
-From Exactsweep Require Import HalfOpen RealPoints Layout Faults NoFit InnerFit Sweep Claims.
+From Exactsweep Require Import HalfOpen RealPoints Layout Faults NoFit InnerFit Sweep Claims Certificates.
 Print Assumptions disjoint_iff.
 Print Assumptions real_overlap.
 Print Assumptions real_at_least.
@@ -16,4 +16,9 @@ Print Assumptions inner_fit_polygon_sound.
 Print Assumptions whole_sweep_sound.
 Print Assumptions path_sum_sound.
 Print Assumptions locate_sound.
-Print Assumptions layout_valid.
+Print Assumptions no_fit_accepted.
+Print Assumptions inner_fit_accepted.
+Print Assumptions sweep_accepted.
+Print Assumptions sum_accepted.
+Print Assumptions layout_accepted.
+Print Assumptions faults_accepted.

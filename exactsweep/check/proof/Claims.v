@@ -1,4 +1,4 @@
-(* Checkers of whole certificates: loops by name, a sweep with its no-fit polygon, normals by number. *)
+(* Checkers of whole claims: loops by name, a sweep with its no-fit polygon, sums with paths, one translation. *)
 Require Import QArith Lqa ZArith Lia List Bool.
 From Exactsweep Require Import Cancel Pieces Solid Gaps Scaling HalfOpen Nearby Boundary SumPoints PiecePoints Covers Pairs Layout NoFit InnerFit Sweep.
 From Exactsweep Require Statements.
@@ -14,13 +14,17 @@ Lemma winding_with_holes z exterior holes :
   Statements.winding (Statements.with_holes exterior holes) z = (Statements.winding [exterior] z - Statements.winding holes z)%Z.
 Proof. unfold Statements.with_holes. rewrite winding_cons, winding_rev. lia. Qed.
 
-(* Loops by name: triangles that make up the exterior, and each hole *)
-Definition triangles := (list ring * list (list ring))%type.
+(* Loops by name, with convex pieces that make up the exterior without the holes, and each hole *)
+Definition cut := (list ring * list (list ring))%type.
 Definition is_simple (N : positive) (rs : list Statements.ring) (ps : list ring) : bool :=
   all_integral (Zpos N) rs && simple_solid {| rings := int_rings (Zpos N) rs; pieces := ps |}.
-Definition check_named (N : positive) (exterior : Statements.ring) (holes : list Statements.ring) (t : triangles) : bool :=
-  is_simple N [exterior] (fst t) && (length holes =? length (snd t))%nat && forallb (fun x => is_simple N [fst x] (snd x)) (combine holes (snd t)) &&
-  match holes with [] => true | _ => is_simple N holes (concat (snd t)) end.
+Definition check_named (N : positive) (exterior : Statements.ring) (holes : list Statements.ring) (t : cut) : bool :=
+  let within := concat (snd t) in is_simple N [exterior] (fst t ++ within) &&
+  match holes with
+  | [] => true
+  | _ => is_simple N (Statements.with_holes exterior holes) (fst t) && is_simple N holes within &&
+      (length holes =? length (snd t))%nat && forallb (fun x => is_simple N [fst x] (snd x)) (combine holes (snd t))
+  end.
 Lemma is_simple_spec N rs ps : is_simple N rs ps = true -> Statements.simple rs.
 Proof.
   unfold is_simple. intro H. apply andb_prop in H as (I & S).
@@ -28,15 +32,18 @@ Proof.
 Qed.
 Lemma check_named_spec N exterior holes t : check_named N exterior holes t = true -> Statements.named exterior holes.
 Proof.
-  unfold check_named. intro H. apply andb_prop in H as (H & A). apply andb_prop in H as (H & E). apply andb_prop in H as (S & L). split; [|split].
-  - exact (is_simple_spec N _ _ S).
-  - apply Nat.eqb_eq in L. rewrite Forall_forall. intros h I. apply In_nth_error in I as (i & I).
-    destruct (Layout.nth_combine _ _ i h L I) as (ps & F). rewrite forallb_forall in E. apply (is_simple_spec N _ ps), (E _ (nth_error_In _ _ F)).
-  - destruct holes as [|h holes]; [left; reflexivity|]. apply (is_simple_spec N _ _ A).
+  unfold check_named. cbv zeta. intro H. apply andb_prop in H as (S & H). apply is_simple_spec in S. split; [exact S|].
+  destruct holes as [|h holes].
+  { split; [constructor|]. split; [left; reflexivity|]. intros z W. discriminate. }
+  apply andb_prop in H as (H & E). apply andb_prop in H as (H & L). apply andb_prop in H as (R & A). apply is_simple_spec in R, A. split; [|split].
+  - apply Nat.eqb_eq in L. rewrite Forall_forall. intros g I. apply In_nth_error in I as (i & I).
+    destruct (Layout.nth_combine _ _ i g L I) as (ps & F). rewrite forallb_forall in E. apply (is_simple_spec N _ ps), (E _ (nth_error_In _ _ F)).
+  - apply A.
+  - intros z W. destruct S as (S & _), R as (R & _). specialize (S z). specialize (R z). rewrite winding_with_holes, W in R. lia.
 Qed.
 
 Definition check_no_fit_polygon (D G : list Statements.ring) (exterior : Statements.ring) (holes : list Statements.ring)
-    (fits : list (Statements.point * Statements.point)) (c : no_fit_certificate) (t : triangles) : bool :=
+    (fits : list (Statements.point * Statements.point)) (c : no_fit_certificate) (t : cut) : bool :=
   check_no_fit D G (Statements.with_holes exterior holes) fits c && check_named (NoFit.unit c) exterior holes t.
 Lemma touch_limit D G t : (exists z, Statements.closure (Statements.inside D) z /\ Statements.closure (Statements.inside (Statements.translate t G)) z) ->
   Statements.closure (Statements.overlaps_at D G) t.
@@ -52,16 +59,13 @@ Theorem no_fit_polygon_sound D G exterior holes fits c t :
   check_no_fit_polygon D G exterior holes fits c t = true -> Statements.no_fit_polygon D G exterior holes fits.
 Proof.
   unfold check_no_fit_polygon. intro H. apply andb_prop in H as (A & B). pose proof (no_fit_sound _ _ _ _ c A) as C.
-  pose proof (check_named_spec _ _ _ _ B) as Na. split; [exact C|]. split; [|split; [exact Na|]].
-  - intro u. split.
-    + intro L. split; [exact (no_fit_contact _ _ _ _ c A u L)|]. apply (proj1 C u), L.
-    + intros (T & N). apply (proj1 C u). split; [apply touch_limit, T|exact N].
-  - intros z NL W. destruct Na as ((E & _) & _ & _). specialize (E z). pose proof (winding_with_holes z exterior holes) as T.
-    destruct (proj2 C z NL) as [(_ & V)|(_ & V)]; lia.
+  split; [exact C|]. split; [|exact (check_named_spec _ _ _ _ B)]. intro u. split.
+  - intro L. split; [exact (no_fit_contact _ _ _ _ c A u L)|]. apply (proj1 C u), L.
+  - intros (T & N). apply (proj1 C u). split; [apply touch_limit, T|exact N].
 Qed.
 
 Definition check_inner_fit_polygon (C G : list Statements.ring) (regions : list (Statements.ring * list Statements.ring))
-    (fits : list (Statements.point * Statements.point)) (c : inner_fit_certificate) (ts : list triangles) : bool :=
+    (fits : list (Statements.point * Statements.point)) (c : inner_fit_certificate) (ts : list cut) : bool :=
   check_inner_fit C G (flat_map (fun r => Statements.with_holes (fst r) (snd r)) regions) fits c && (length regions =? length ts)%nat &&
   forallb (fun x => check_named (InnerFit.unit c) (fst (fst x)) (snd (fst x)) (snd x)) (combine regions ts).
 Theorem inner_fit_polygon_sound C G regions fits c ts :
@@ -75,8 +79,8 @@ Qed.
 (* T, along which G is swept, is the exterior of the no-fit polygon; z: a point of D in the inner loop. *)
 Definition check_whole_sweep (D G : list Statements.ring) (exterior : Statements.ring) (holes : list Statements.ring)
     (fits : list (Statements.point * Statements.point)) (outer inner : Statements.ring) (unswept : list Statements.ring)
-    (slits : list (Statements.point * Statements.point)) (area : Q) (c : no_fit_certificate) (t : triangles)
-    (c' : sweep_certificate) (t' : triangles) (z : Statements.point) : bool :=
+    (slits : list (Statements.point * Statements.point)) (area : Q) (c : no_fit_certificate) (t : cut)
+    (c' : sweep_certificate) (t' : cut) (z : Statements.point) : bool :=
   let loops := Statements.with_holes outer (inner :: unswept) in
   check_no_fit_polygon D G exterior holes fits c t && check_sweep (Statements.edges exterior) G loops slits c' &&
   check_named (Sweep.unit c') outer (inner :: unswept) t' && (Statements.winding D z =? 1)%Z && (Statements.winding [inner] z =? 1)%Z &&
@@ -96,7 +100,7 @@ Qed.
 
 (* Sums with paths *)
 Definition check_path_sum (G : list Statements.ring) (path : list Statements.point) (exterior : Statements.ring) (holes : list Statements.ring)
-    (slits : list (Statements.point * Statements.point)) (c : sweep_certificate) (t : triangles) : bool :=
+    (slits : list (Statements.point * Statements.point)) (c : sweep_certificate) (t : cut) : bool :=
   check_sweep (combine path (tl path)) G (Statements.with_holes exterior holes) slits c && check_named (Sweep.unit c) exterior holes t.
 Theorem path_sum_sound G path exterior holes slits c t :
   check_path_sum G path exterior holes slits c t = true -> Statements.path_sum G path exterior holes slits.
@@ -123,19 +127,3 @@ Proof.
         by (apply existsb_exists; exists e; auto). congruence. }
     destruct (B t N) as [(O & W)|(O & W)]; rewrite W; [exact O|]. intro Cl. apply N, A. split; assumption.
 Qed.
-
-(* The normals of a layout: an entry for two pieces, else one for two solids as a whole *)
-Definition entry := (Z * Z * Z * Z * pt)%type.
-Definition is_for (a i b j : Z) (e : entry) : bool :=
-  let '(a', i', b', j', _) := e in ((a =? a') && (i =? i') && (b =? b') && (j =? j'))%Z.
-Definition lookup (l : list entry) (a i b j : Z) : pt :=
-  match find (is_for a i b j) l with
-  | Some e => snd e
-  | None => match find (is_for a (-1) b (-1)) l with Some e => snd e | None => (0, 0)%Z end
-  end.
-Definition normals_of (l : list entry) (a i b j : nat) : pt := lookup l (Z.of_nat a) (Z.of_nat i) (Z.of_nat b) (Z.of_nat j).
-Definition outside_normals_of (l : list entry) (a : Z) (i b j : nat) : pt := lookup l a (Z.of_nat i) (Z.of_nat b) (Z.of_nat j).
-Definition check_entries (l : Statements.layout) (c : certificate) (entries : list entry) : bool :=
-  check_layout (normals_of entries) (outside_normals_of entries) l c.
-Corollary layout_valid l c entries : check_entries l c entries = true -> Statements.valid l.
-Proof. apply layout_sound. Qed.

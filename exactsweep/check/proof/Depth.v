@@ -1,7 +1,7 @@
 (* Points deep in a figure or far from it: all points of a disc around them are in it, or off it. *)
 Require Import QArith Lqa ZArith Lia List Bool.
 From Exactsweep Require Statements.
-From Exactsweep Require Import Scaling HalfOpen Nearby Boundary SumPoints PiecePoints Covers Near.
+From Exactsweep Require Import Gaps Scaling HalfOpen Nearby Boundary SumPoints PiecePoints Covers Near.
 Import ListNotations.
 Open Scope Q_scope.
 
@@ -16,7 +16,7 @@ Definition ahead (d : Q) (z : qpoint) (ps : list qpoint) (n : qpoint) : bool :=
   forallb (fun p => let g := Qred (along n p - along n z) in Statements.less 0 g && Statements.less s (g * g)) ps.
 Definition directions (z : qpoint) (ps : list qpoint) : list qpoint :=
   map (fun p => reduced (vector z p)) ps ++ flat_map (fun e => let n := reduced (across e) in [n; back n]) (Statements.edges ps).
-Definition is_far (d : Q) (ps : list qpoint) (z : qpoint) : bool := existsb (ahead d z ps) (directions z ps).
+Definition is_far (d : Q) (ps : list qpoint) (z : qpoint) : bool := some (ahead d z ps) (directions z ps).
 Definition far_edges (d : Q) (rs : list Statements.ring) (z : qpoint) : bool :=
   let z := reduced z in forallb (fun e => is_far d [reduced (fst e); reduced (snd e)] z) (flat_map Statements.edges rs).
 
@@ -64,7 +64,7 @@ Qed.
 Lemma is_far_spec d ps z : 0 <= d -> ps <> [] -> is_far d ps z = true ->
   exists n c m, d < c /\ (forall y, Statements.dist2 y z <= c * c -> along n y < m) /\ forall p, In p ps -> m <= along n p.
 Proof.
-  intros D Ne H. apply existsb_exists in H as (n & _ & H). exists n. exact (ahead_spec d z ps n D Ne H).
+  intros D Ne H. apply some_exists in H as (n & _ & H). exists n. exact (ahead_spec d z ps n D Ne H).
 Qed.
 Lemma is_far_some d ps z : is_far d ps z = true -> ps <> [].
 Proof. intros H E. rewrite E in H. discriminate. Qed.

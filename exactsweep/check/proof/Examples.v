@@ -18,12 +18,12 @@ Definition rings_only (rs : list Statements.ring) : Statements.figure :=
   {| Statements.outline := rs; Statements.rounded := []; Statements.error := 0 |}.
 Definition two_squares : Statements.layout :=
   {| Statements.sheet := Some (rings_only [[(0, 0); (3, 0); (3, 1); (0, 1)]%Q]); Statements.obstacles := [];
-     Statements.kinds := [{| Statements.form := rings_only [square]; Statements.demand := Some 2%nat;
-       Statements.rotations := Some [(1, 0); (0, 1)]%Q; Statements.mirrored_rotations := None; Statements.may_mirror := false |}];
+     Statements.kinds := [{| Statements.form := rings_only [square]; Statements.demand := Some 2%N;
+       Statements.rotations := Some [Statements.Rational 1 0; Statements.Rational 0 1]; Statements.mirrored_rotations := None; Statements.may_mirror := false |}];
      Statements.placements := [
-       {| Statements.kind := 0; Statements.by_motion := still 0 0; Statements.slack := 0 |};
+       {| Statements.kind := 0; Statements.by_motion := still 0 0; Statements.degrees := None; Statements.slack := 0 |};
        {| Statements.kind := 0; Statements.by_motion :=
-         {| Statements.mirrored := false; Statements.cosine := 0; Statements.sine := 1; Statements.shift := (5 # 2, 0)%Q |}; Statements.slack := 0 |}];
+         {| Statements.mirrored := false; Statements.cosine := 0; Statements.sine := 1; Statements.shift := (5 # 2, 0)%Q |}; Statements.degrees := None; Statements.slack := 0 |}];
      Statements.spacing := 1 # 2; Statements.margin := 0 |}.
 Definition evidence : certificate :=
   {| denominator := 2;
@@ -41,7 +41,7 @@ Definition disc_in (container : Statements.figure) (margin : Q) : Statements.lay
   {| Statements.sheet := Some container; Statements.obstacles := [];
      Statements.kinds := [{| Statements.form := {| Statements.outline := []; Statements.rounded := [([(0, 0)%Q], 1 # 2)]; Statements.error := 0 |};
        Statements.demand := None; Statements.rotations := None; Statements.mirrored_rotations := None; Statements.may_mirror := true |}];
-     Statements.placements := [{| Statements.kind := 0; Statements.by_motion := still (1 # 2) (1 # 2); Statements.slack := 0 |}];
+     Statements.placements := [{| Statements.kind := 0; Statements.by_motion := still (1 # 2) (1 # 2); Statements.degrees := None; Statements.slack := 0 |}];
      Statements.spacing := 0; Statements.margin := margin |}.
 Definition disc_evidence : certificate :=
   {| denominator := 4; part_pieces := [[]]; kind_pieces := [[]]; obstacle_pieces := [];

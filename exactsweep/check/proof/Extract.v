@@ -1,6 +1,5 @@
 (* The checkers as an OCaml program.  Integers are those of zarith; booleans, lists, options and pairs are OCaml's own. *)
-From Exactsweep Require Import Layout Faults NoFit InnerFit Sweep Claims.
-From Exactsweep Require Statements.
+From Exactsweep Require Import Certificates.
 Require Import Extraction ExtrOcamlBasic ExtrOcamlZBigInt ExtrOcamlNatInt.
 Extraction Language OCaml.
-Extraction "extracted/checker.ml" check_layout check_faults check_no_fit_polygon check_inner_fit_polygon check_whole_sweep check_path_sum.
+Extraction "extracted/checker.ml" accept_no_fit accept_inner_fit accept_sweep accept_sum accept_by whole accept_faults.

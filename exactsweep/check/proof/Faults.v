@@ -1,7 +1,7 @@
 (* Faults, proved by one or two points, whatever the true shapes are; and `valid` for shapes that are known exactly. *)
 Require Import QArith Lqa ZArith Lia List Bool.
 From Exactsweep Require Statements.
-From Exactsweep Require Import HalfOpen Boundary SumPoints Covers Near Depth Hull Layout.
+From Exactsweep Require Import Gaps HalfOpen Nearby Boundary SumPoints PiecePoints Covers Near Depth Hull Layout.
 Import ListNotations.
 Open Scope Q_scope.
 
@@ -72,6 +72,24 @@ Definition is_drawn (f : Statements.figure) (z : qpoint) : bool :=
 Definition is_outside (f : Statements.figure) (z : qpoint) : bool :=
   (Statements.winding (Statements.outline f) z =? 0)%Z && forallb (fun p => Qle_bool 0 (snd p) && is_far (snd p) (fst p) z) (Statements.rounded f).
 
+(* A point that belongs to a set, at distance less than r from z: z itself, or one close to an edge of the figure, displaced by
+   about the radius.  It is searched with finer and finer units; no property of the search is used. *)
+Definition borders (f : Statements.figure) : list (side * Q) :=
+  map (fun e => (e, 0)) (flat_map Statements.edges (Statements.outline f)) ++
+  flat_map (fun p => map (fun e => (e, snd p)) (Statements.edges (fst p))) (Statements.rounded f).
+Definition displaced (z : qpoint) (unit : positive) (x : side * Q) : list qpoint :=
+  let (e, radius) := x in let v := vector (fst e) (snd e) in let step := if Qeq_bool radius 0 then 1 # unit else 0 in
+  let t := Qred (along v (vector (fst e) z) / square_of v) in
+  let t := if Statements.less t step then step else if Statements.less (1 - step) t then 1 - step else t in
+  let foot := (fst (fst e) + t * fst v, snd (fst e) + t * snd v) in
+  flat_map (fun n =>
+    let q := Qred (radius * radius * inject_Z (Zpos unit ^ 4) / square_of n) in let m := Z.sqrt (Qnum q / QDen q) in
+    map (fun k => let s := k # unit * unit in reduced (fst foot + s * fst n, snd foot + s * snd n)) [m - 1; m + 2; 1 - m; - m - 2]%Z)
+    (map reduced [vector foot z; across e; (1, 0)]).
+Definition units : list positive := map (fun k => 2 ^ k)%positive [1; 2; 4; 8; 16; 32; 64; 128; 256; 512]%positive.
+Definition near (belongs : qpoint -> bool) (f : Statements.figure) (r : Q) (z : qpoint) : bool :=
+  let is_right p := if Statements.less (Statements.dist2 p z) (r * r) then belongs p else false in let es := borders f in
+  if is_right z then true else some (fun unit => some (fun x => some is_right (displaced z unit x)) es) units.
 (* A body: whether it is the complement of a figure, the figure, and the distance from it *)
 Definition figure_of (l : Statements.layout) (b : Statements.body) : option (bool * Statements.figure * Q) :=
   match b with
@@ -86,32 +104,32 @@ Definition check_between (l : Statements.layout) (i : nat) (b : Statements.body)
       c (Statements.placed l x) out g d
   | _, _ => false
   end.
-Definition check_number (l : Statements.layout) (k : nat) (c : nat -> nat -> bool) : bool :=
+Definition check_number (l : Statements.layout) (k : nat) (c : N -> N -> bool) : bool :=
   match nth_error (Statements.kinds l) k with
   | Some p => match Statements.demand p with Some n => c (Statements.number l k) n | None => false end
   | None => false
   end.
-(* y, z: a point deep in both bodies (y), or a point of each, or a point of winding number neither 0 nor 1 (y) *)
-Definition check_fault (l : Statements.layout) (f : Statements.fault) (y z : qpoint) : bool :=
+(* z: a point deep in both bodies, or near both, or a point of winding number neither 0 nor 1 *)
+Definition check_fault (l : Statements.layout) (f : Statements.fault) (z : qpoint) : bool :=
   match f with
-  | Statements.Missing k => check_number l k Nat.ltb
-  | Statements.Surplus k => check_number l k (fun m n => (n <? m)%nat)
+  | Statements.Missing k => check_number l k N.ltb
+  | Statements.Surplus k => check_number l k (fun m n => (n <? m)%N)
   | Statements.Mirrored k => existsb (fun x => (Statements.kind x =? k)%nat && Statements.mirrored (Statements.by_motion x) &&
       negb (Statements.may_mirror (Statements.kind_of l x))) (Statements.placements l)
   | Statements.Rotated k => existsb (fun x => (Statements.kind x =? k)%nat && negb (is_rotated l x)) (Statements.placements l)
   | Statements.Not_simple k => match nth_error (Statements.kinds l) k with
-      | Some p => let w := Statements.winding (Statements.outline (Statements.form p)) y in negb (w =? 0)%Z && negb (w =? 1)%Z
+      | Some p => let w := Statements.winding (Statements.outline (Statements.form p)) z in negb (w =? 0)%Z && negb (w =? 1)%Z
       | None => false
       end
-  | Statements.Overlapping i b => check_between l i b (fun f out g _ => deep (Statements.error f) f y &&
-      if out then deep_outside (Statements.error g) g y else deep (Statements.error g) g y)
-  | Statements.Too_close i b => check_between l i b (fun f out g d => is_drawn f y && (if out then is_outside g z else is_drawn g z) &&
-      let room := d - Statements.error f - Statements.error g in
-      Statements.less 0 room && Statements.less (Statements.dist2 y z) (room * room))
+  | Statements.Overlapping i b => check_between l i b (fun f out g _ => deep (Statements.error f) f z &&
+      if out then deep_outside (Statements.error g) g z else deep (Statements.error g) g z)
+  | Statements.Too_close i b => check_between l i b (fun f out g d =>
+      let r := (d - Statements.error f - Statements.error g) * (1 # 2) in
+      Statements.less 0 r && near (is_drawn f) f r z && near (if out then is_outside g else is_drawn g) g r z)
   end.
-Definition check_faults (l : Statements.layout) (fs : list Statements.fault) (at_ : list (qpoint * qpoint)) : bool :=
+Definition check_faults (l : Statements.layout) (fs : list Statements.fault) (at_ : list qpoint) : bool :=
   is_well_formed l && match fs with [] => false | _ => true end && (length fs =? length at_)%nat &&
-  forallb (fun x => check_fault l (fst x) (fst (snd x)) (snd (snd x))) (combine fs at_).
+  forallb (fun x => check_fault l (fst x) (snd x)) (combine fs at_).
 
 Lemma near_disc c z d (P : qpoint -> Prop) : 0 <= d -> d < c -> (forall y, Statements.dist2 y z <= c * c -> P y) ->
   exists h, 0 < h /\ forall y, Statements.dist2 y z <= h * h -> forall w, Statements.dist2 w y <= (d + h) * (d + h) -> P w.
@@ -248,30 +266,37 @@ Proof.
   unfold check_number. destruct (nth_error (Statements.kinds l) k) as [p|] eqn:P; [|discriminate].
   destruct (Statements.demand p) as [n|] eqn:D; [|discriminate]. intro H. exists n. split; [exists p; split; assumption|exact H].
 Qed.
-Lemma is_rotated_complete l x : Statements.rotated l x -> is_rotated l x = true.
+Lemma near_spec belongs f r z : 0 < r -> near belongs f r z = true ->
+  exists p, belongs p = true /\ exists a, 0 <= a < r /\ Statements.dist2 p z <= a * a.
 Proof.
-  unfold Statements.rotated, is_rotated. cbv zeta. intro H. destruct (if Statements.mirrored _ then _ else _) as [cs|]; [|reflexivity].
-  destruct (H cs eq_refl) as (c & I & A & B). apply existsb_exists. exists c. split; [exact I|]. apply andb_true_intro. split; apply Qeq_bool_iff; assumption.
+  intros R H. assert (X : exists p, Statements.less (Statements.dist2 p z) (r * r) && belongs p = true).
+  { unfold near in H. cbv zeta in H. destruct (if Statements.less (Statements.dist2 z z) (r * r) then belongs z else false) eqn:Z; [exists z; exact Z|].
+    apply some_exists in H as (u & _ & H). apply some_exists in H as (x & _ & H). apply some_exists in H as (p & _ & H). exists p. exact H. }
+  destruct X as (p & X). apply andb_prop in X as (L & B). apply Covers.less_true in L. exists p. split; [exact B|].
+  exact (root_below _ r (dist2_nonneg p z) ltac:(lra) L).
 Qed.
-Theorem fault_sound l f y z : check_fault l f y z = true -> Statements.has l f.
+Theorem fault_sound l f z : check_fault l f z = true -> Statements.has l f.
 Proof.
   destruct f as [k|k|k|k|k|i b|i b]; cbn [check_fault Statements.has]; intro H.
-  - apply check_number_spec in H as (n & D & L). exists n. split; [exact D|apply Nat.ltb_lt, L].
-  - apply check_number_spec in H as (n & D & L). exists n. split; [exact D|apply Nat.ltb_lt, L].
+  - apply check_number_spec in H as (n & D & L). exists n. split; [exact D|apply N.ltb_lt, L].
+  - apply check_number_spec in H as (n & D & L). exists n. split; [exact D|apply N.ltb_lt, L].
   - apply existsb_exists in H as (x & I & H). apply andb_prop in H as (H & M). apply andb_prop in H as (K & N). exists x.
     split; [exact I|]. split; [apply Nat.eqb_eq, K|]. split; [exact N|apply negb_true_iff, M].
   - apply existsb_exists in H as (x & I & H). apply andb_prop in H as (K & N). exists x. split; [exact I|]. split; [apply Nat.eqb_eq, K|].
-    intro R. rewrite (is_rotated_complete l x R) in N. discriminate.
+    intro R. apply is_rotated_spec in R. rewrite R in N. discriminate.
   - destruct (nth_error (Statements.kinds l) k) as [p|] eqn:P; [|discriminate]. cbv zeta in H. apply andb_prop in H as (A & B).
-    exists p, y. split; [reflexivity|]. split; intro W; rewrite W in *; discriminate.
-  - apply (check_between_spec _ _ _ _ _ H). clear H. intros f out g d S T E E' H HS HT. apply andb_prop in H as (A & B). exists y.
-    destruct (true_deep f y S E A HS) as (h & H0 & P). split; [exact (disc_interior h y S H0 P)|].
+    exists p, z. split; [reflexivity|]. split; intro W; rewrite W in *; discriminate.
+  - apply (check_between_spec _ _ _ _ _ H). clear H. intros f out g d S T E E' H HS HT. apply andb_prop in H as (A & B). exists z.
+    destruct (true_deep f z S E A HS) as (h & H0 & P). split; [exact (disc_interior h z S H0 P)|].
     destruct out; cbn [true_body] in HT.
-    + destruct HT as (C & HC & ->). destruct (true_outside g y C E' B HC) as (h' & H1 & P'). exact (disc_interior h' y _ H1 P').
-    + destruct (true_deep g y T E' B HT) as (h' & H1 & P'). exact (disc_interior h' y T H1 P').
-  - apply (check_between_spec _ _ _ _ _ H). clear H. intros f out g d S T E E' H HS HT. cbv zeta in H. apply andb_prop in H as (H & C).
-    apply andb_prop in H as (A & B). apply andb_prop in C as (C & L). apply Covers.less_true in C, L.
-    apply (close_points d _ _ y z S T E E' C L).
+    + destruct HT as (C & HC & ->). destruct (true_outside g z C E' B HC) as (h' & H1 & P'). exact (disc_interior h' z _ H1 P').
+    + destruct (true_deep g z T E' B HT) as (h' & H1 & P'). exact (disc_interior h' z T H1 P').
+  - apply (check_between_spec _ _ _ _ _ H). clear H. intros f out g d S T E E' H HS HT. cbv zeta in H. apply andb_prop in H as (H & B).
+    apply andb_prop in H as (R & A). apply Covers.less_true in R. set (r := (d - Statements.error f - Statements.error g) * (1 # 2)) in *.
+    apply near_spec in A as (y & A & Dy), B as (w & B & Dw); try exact R. apply (close_points d _ _ y w S T E E').
+    + unfold r in R. lra.
+    + destruct Dy as (u & (A0 & A1) & Dy), Dw as (v & (B0 & B1) & Dw). rewrite dist2_sym in Dw. pose proof (triangle y z w u v A0 B0 Dy Dw) as D.
+      assert (X : u + v < d - Statements.error f - Statements.error g) by (unfold r in *; lra). pose proof (sq_lt (u + v) _ ltac:(lra) X). lra.
     + destruct HS as (_ & _ & K & _). apply K, is_drawn_spec, A.
     + destruct out; cbn [true_body] in HT; [destruct HT as (U & (_ & _ & _ & K) & ->); apply K, is_outside_spec, B|].
       destruct HT as (_ & _ & K & _). apply K, is_drawn_spec, B.
@@ -297,8 +322,8 @@ Qed.
 Theorem fault_refutes l f : Statements.has l f -> ~ Statements.valid l.
 Proof.
   destruct f as [k|k|k|k|k|i b|i b]; cbn [Statements.has].
-  - intros (n & D & L) V. rewrite (proj2 (Statements.rules l V) k n D) in L. exact (Nat.lt_irrefl n L).
-  - intros (n & D & L) V. rewrite (proj2 (Statements.rules l V) k n D) in L. exact (Nat.lt_irrefl n L).
+  - intros (n & D & L) V. rewrite (proj2 (Statements.rules l V) k n D) in L. exact (N.lt_irrefl n L).
+  - intros (n & D & L) V. rewrite (proj2 (Statements.rules l V) k n D) in L. exact (N.lt_irrefl n L).
   - intros (x & I & _ & M & N) V. pose proof (proj1 (Statements.rules l V)) as A. rewrite Forall_forall in A. destruct (A x I) as (_ & B & _).
     rewrite (B M) in N. discriminate.
   - intros (x & I & _ & N) V. pose proof (proj1 (Statements.rules l V)) as A. rewrite Forall_forall in A. apply N. apply (A x I).
@@ -312,6 +337,6 @@ Proof.
   unfold check_faults. intro H. apply andb_prop in H as (H & C). apply andb_prop in H as (H & L). apply andb_prop in H as (Wf & Ne). apply Nat.eqb_eq in L. rewrite forallb_forall in C.
   assert (A : Forall (Statements.has l) fs).
   { rewrite Forall_forall. intros f I. apply In_nth_error in I as (i & I). destruct (nth_combine _ _ i f L I) as (p & P).
-    specialize (C _ (nth_error_In _ _ P)). cbn [fst snd] in C. exact (fault_sound l f _ _ C). }
+    specialize (C _ (nth_error_In _ _ P)). cbn [fst snd] in C. exact (fault_sound l f _ C). }
   split; [apply is_well_formed_spec, Wf|]. split; [destruct fs; discriminate|]. split; [exact A|]. destruct fs as [|f fs]; [discriminate Ne|]. inversion A; subst. exact (fault_refutes l f ltac:(assumption)).
 Qed.

@@ -60,6 +60,11 @@ Proof.
   - intros v I. apply in_map_iff in I as (u & <- & I). rewrite dot_grow. specialize (B u I). nia.
 Qed.
 
+(* existsb, which ends at the first that is right, within Coq, too *)
+Fixpoint some {A} (f : A -> bool) (l : list A) : bool :=
+  match l with [] => false | a :: r => if f a then true else some f r end.
+Lemma some_exists {A} (f : A -> bool) l : some f l = true <-> exists x, In x l /\ f x = true.
+Proof. rewrite <- existsb_exists. induction l as [|a r IH]; [reflexivity|]. cbn [some existsb]. destruct (f a); [split; reflexivity|exact IH]. Qed.
 Fixpoint all_pairs {A : Type} (f : A -> A -> bool) (l : list A) : bool :=
   match l with [] => true | x :: r => forallb (f x) r && all_pairs f r end.
 Lemma all_pairs_spec {A} (f : A -> A -> bool) l : all_pairs f l = true -> ForallOrdPairs (fun x y => f x y = true) l.
@@ -74,9 +79,9 @@ Definition normal (e : edge) : pt := (snd (snd e) - snd (fst e), fst (fst e) - f
 Definition opposite (p : pt) : pt := (- fst p, - snd p).
 Definition axes : list pt := [(1, 0); (0, 1); (-1, 0); (0, -1)].
 Definition apart (p q : ring) : bool :=
-  existsb (fun n => far 0 n p q) (axes ++ map normal (edges p) ++ map (fun e => opposite (normal e)) (edges q)).
+  some (fun n => far 0 n p q) (axes ++ map normal (edges p) ++ map (fun e => opposite (normal e)) (edges q)).
 Lemma apart_spec p q : apart p q = true -> exists n, far 0 n p q = true.
-Proof. unfold apart. intro H. apply existsb_exists in H as (n & _ & H). exists n. exact H. Qed.
+Proof. unfold apart. intro H. apply some_exists in H as (n & _ & H). exists n. exact H. Qed.
 
 (* Pieces make up a shape: fans, at least one, that cancel to its rings and are apart from each other. *)
 Definition simple_solid (s : solid) : bool :=

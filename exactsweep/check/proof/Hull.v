@@ -1,7 +1,7 @@
 (* The nearest point of a convex hull; rounded pieces as containers: sets near their hulls are at a distance from the complement. *)
 Require Import QArith Lqa ZArith Lia List Bool.
 From Exactsweep Require Statements.
-From Exactsweep Require Import Scaling HalfOpen Nearby Boundary SumPoints PiecePoints Covers Near Depth.
+From Exactsweep Require Import Gaps Scaling HalfOpen Nearby Boundary SumPoints PiecePoints Covers Near Depth.
 Import ListNotations.
 Open Scope Q_scope.
 
@@ -184,10 +184,10 @@ Proof.
 Qed.
 
 (* Points near a hull *)
-Definition near_hull (r : Q) (ps : list qpoint) (z : qpoint) : bool := existsb (fun q => Qle_bool (Statements.dist2 q z) (r * r)) (hull_points ps z).
+Definition near_hull (r : Q) (ps : list qpoint) (z : qpoint) : bool := some (fun q => Qle_bool (Statements.dist2 q z) (r * r)) (hull_points ps z).
 Lemma near_hull_point r ps z : near_hull r ps z = true -> exists q, Statements.hull ps q /\ Statements.dist2 q z <= r * r.
 Proof.
-  intro H. apply existsb_exists in H as (q & I & H). apply Qle_bool_iff in H. exists q. split; [exact (hull_points_in ps z q I)|exact H].
+  intro H. apply some_exists in H as (q & I & H). apply Qle_bool_iff in H. exists q. split; [exact (hull_points_in ps z q I)|exact H].
 Qed.
 Lemma near_hull_spec r ps z : 0 <= r -> near_hull r ps z = true -> Statements.within r (Statements.hull ps) z.
 Proof.

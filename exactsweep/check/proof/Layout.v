@@ -31,7 +31,7 @@ Definition numbered {A} (l : list A) : list (nat * A) := combine (seq 0 (length 
 Definition is_apart (d : Z) (normals : nat -> nat -> pt) (x y : item) : bool :=
   let d := d + reach x + reach y in
   box_gap d (extents x) (extents y) ||
-  forallb (fun p => forallb (fun q => existsb (gap d (snd p) (snd q)) (normals (fst p) (fst q) :: axes)) (numbered (parts y))) (numbered (parts x)).
+  forallb (fun p => forallb (fun q => some (gap d (snd p) (snd q)) (normals (fst p) (fst q) :: axes)) (numbered (parts y))) (numbered (parts x)).
 Fixpoint all_apart (d : Z) (normals : nat -> nat -> nat -> nat -> pt) (l : list (nat * item)) : bool :=
   match l with
   | [] => true
@@ -52,11 +52,16 @@ Definition is_well_formed (l : Statements.layout) : bool :=
   (match Statements.sheet l with Some f => are_amounts f | None => true end &&
   forallb (fun x => let m := Statements.by_motion x in Qle_bool 0 (Statements.slack x) &&
     Qeq_bool (Statements.cosine m * Statements.cosine m + Statements.sine m * Statements.sine m) 1) (Statements.placements l)))).
+Definition is_by (x : Statements.placement) (r : Statements.rotation) : bool :=
+  match r, Statements.degrees x with
+  | Statements.Rational c s, None => Qeq_bool c (Statements.cosine (Statements.by_motion x)) && Qeq_bool s (Statements.sine (Statements.by_motion x))
+  | Statements.Degrees d, Some e => Qeq_bool d e
+  | _, _ => false
+  end.
 Definition is_rotated (l : Statements.layout) (x : Statements.placement) : bool :=
-  let p := Statements.kind_of l x in let m := Statements.by_motion x in
-  match (if Statements.mirrored m then Statements.mirrored_rotations p else Statements.rotations p) with
+  match (if Statements.mirrored (Statements.by_motion x) then Statements.mirrored_rotations else Statements.rotations) (Statements.kind_of l x) with
   | None => true
-  | Some cs => existsb (fun c => Qeq_bool (fst c) (Statements.cosine m) && Qeq_bool (snd c) (Statements.sine m)) cs
+  | Some rs => existsb (is_by x) rs
   end.
 Definition check_allowed (l : Statements.layout) (x : Statements.placement) : bool :=
   (Statements.kind x <? length (Statements.kinds l))%nat &&
@@ -66,7 +71,7 @@ Definition check_supply (l : Statements.layout) : bool :=
     | None => true
     | Some p => match Statements.demand p with
       | None => true
-      | Some n => (count_occ Nat.eq_dec (map Statements.kind (Statements.placements l)) k =? n)%nat
+      | Some n => (Statements.number l k =? n)%N
       end
     end) (seq 0 (length (Statements.kinds l))).
 
@@ -147,21 +152,30 @@ Proof.
   - intros f E. rewrite E in C. apply are_amounts_spec, C.
   - revert P. apply forallb_Forall. cbv zeta. intros x H. apply andb_prop in H as (A & B). split; [apply Qle_bool_iff, A|apply Qeq_bool_iff, B].
 Qed.
+Lemma is_by_spec x r : is_by x r = true <-> Statements.is_by x r.
+Proof.
+  unfold is_by, Statements.is_by. destruct r as [c s|d], (Statements.degrees x) as [e|]; try (split; [discriminate|intros []]); [|apply Qeq_bool_iff].
+  rewrite andb_true_iff, !Qeq_bool_iff. reflexivity.
+Qed.
+Lemma is_rotated_spec l x : is_rotated l x = true <-> Statements.rotated l x.
+Proof.
+  unfold Statements.rotated, is_rotated. destruct ((if Statements.mirrored _ then _ else _) _) as [rs|]; [|split; [discriminate|reflexivity]].
+  rewrite existsb_exists. split.
+  - intros (r & I & H) rs' [= <-]. apply Exists_exists. exists r. split; [exact I|apply is_by_spec, H].
+  - intro H. specialize (H rs eq_refl). apply Exists_exists in H as (r & I & H). exists r. split; [exact I|apply is_by_spec, H].
+Qed.
 Lemma check_allowed_spec l x : check_allowed l x = true -> Statements.allowed l x.
 Proof.
-  unfold check_allowed, is_rotated, Statements.allowed, Statements.rotated. cbv zeta. intro H.
-  apply andb_prop in H as (H & R). apply andb_prop in H as (I & M). split; [|split].
+  unfold check_allowed, Statements.allowed. intro H. apply andb_prop in H as (H & R). apply andb_prop in H as (I & M). split; [|split].
   - apply Nat.ltb_lt, I.
   - intro E. rewrite E in M. exact M.
-  - intros cs Cs. rewrite Cs in R.
-    apply existsb_exists in R as (c & J & R). apply andb_prop in R as (R1 & R2).
-    exists c. repeat split; [exact J| |]; apply Qeq_bool_iff; assumption.
+  - apply is_rotated_spec, R.
 Qed.
 Lemma check_supply_spec l : check_supply l = true -> Statements.supplied l.
 Proof.
   unfold check_supply, Statements.supplied. rewrite forallb_forall. intros H k n (p & E & F).
   assert (k < length (Statements.kinds l))%nat by (apply nth_error_Some; congruence).
-  specialize (H k). rewrite E, F in H. apply Nat.eqb_eq, H, in_seq. lia.
+  specialize (H k). rewrite E, F in H. apply N.eqb_eq, H, in_seq. lia.
 Qed.
 
 Open Scope Q_scope.
@@ -255,7 +269,7 @@ Proof.
     destruct G as (n & I & G). apply (axis_between n (d + reach x + reach y + snd p + snd q)); [exact I|lia| |exact E].
     pose proof (extent_spec (parts x) n p Ip). pose proof (extent_spec (parts y) (opposite n) q Iq). lia.
   - rewrite forallb_forall in H. destruct (numbered_in _ p Ip) as (i & Ji). specialize (H _ Ji). rewrite forallb_forall in H.
-    destruct (numbered_in _ q Iq) as (j & Jj). specialize (H _ Jj). apply existsb_exists in H as (n & _ & H). unfold gap in H. cbn [fst snd] in H.
+    destruct (numbered_in _ q Iq) as (j & Jj). specialize (H _ Jj). apply some_exists in H as (n & _ & H). unfold gap in H. cbn [fst snd] in H.
     exact (far_between _ n (fst p) (fst q) s _ _ H E).
 Qed.
 Lemma regions_nonneg x : sound x -> forall p, In p (regions x) -> 0 <= snd p.

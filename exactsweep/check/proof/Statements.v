@@ -63,12 +63,14 @@ Definition move (m : motion) (p : point) : point :=
   (cosine m * x - sine m * snd p + fst (shift m), sine m * x + cosine m * snd p + snd (shift m)).
 Definition place (m : motion) (rs : list ring) : list ring := map (fun r => map (move m) (if mirrored m then rev r else r)) rs.
 
+(* A rotation by its cosine and sine, or by degrees from 0 to 360 if these are irrational (no multiples of 90) *)
+Inductive rotation := Rational (c s : Q) | Degrees (d : Q).
 Record part := {
-  form : figure; demand : option nat;                                     (* None: any number *)
-  rotations : option (list (Q * Q));           (* allowed (cosine, sine), or what stands for an irrational one; None: any *)
-  mirrored_rotations : option (list (Q * Q)); may_mirror : bool }.        (* for mirrored placements *)
-(* `slack`: 0, or where a rational rotation stands for an irrational one, by how much points may be off. *)
-Record placement := { kind : nat; by_motion : motion; slack : Q }.
+  form : figure; demand : option N;                                       (* None: any number *)
+  rotations : option (list rotation);                                     (* those allowed; None: any *)
+  mirrored_rotations : option (list rotation); may_mirror : bool }.       (* for mirrored placements *)
+(* `degrees`: None, or those of an irrational rotation. Then by_motion has a rational one, and points are off by at most `slack`. *)
+Record placement := { kind : nat; by_motion : motion; degrees : option Q; slack : Q }.
 Record layout := {
   sheet : option figure;                   (* the container: rings with its holes, or a rounded piece; None: no container *)
   obstacles : list (figure * Q);           (* further defects, which may cross its edge, and their distances from parts *)
@@ -78,18 +80,17 @@ Definition no_part : part :=
 Definition kind_of (l : layout) (x : placement) : part := nth (kind x) (kinds l) no_part.
 Definition placed (l : layout) (x : placement) : figure :=
   let f := form (kind_of l x) in
-  {| outline := place (by_motion x) (outline f);
-     rounded := map (fun p => (map (move (by_motion x)) (fst p), snd p)) (rounded f);
-     error := error f + slack x |}.
+  {| outline := place (by_motion x) (outline f); error := error f + slack x;
+     rounded := map (fun p => (map (move (by_motion x)) (fst p), snd p)) (rounded f) |}.
 
+Definition is_by (x : placement) (r : rotation) : Prop := match r, degrees x with
+  | Rational c s, None => c == cosine (by_motion x) /\ s == sine (by_motion x) | Degrees d, Some e => d == e | _, _ => False end.
 Definition rotated (l : layout) (x : placement) : Prop :=      (* by an allowed rotation *)
-  let p := kind_of l x in let m := by_motion x in
-  forall cs, (if mirrored m then mirrored_rotations p else rotations p) = Some cs ->
-  exists c, In c cs /\ fst c == cosine m /\ snd c == sine m.
+  forall rs, (if mirrored (by_motion x) then mirrored_rotations else rotations) (kind_of l x) = Some rs -> Exists (is_by x) rs.
 Definition allowed (l : layout) (x : placement) : Prop :=
   (kind x < length (kinds l))%nat /\ (mirrored (by_motion x) = true -> may_mirror (kind_of l x) = true) /\ rotated l x.
-Definition number (l : layout) (k : nat) : nat := count_occ Nat.eq_dec (map kind (placements l)) k.
-Definition demanded (l : layout) (k n : nat) : Prop := exists p, nth_error (kinds l) k = Some p /\ demand p = Some n.
+Definition number (l : layout) (k : nat) : N := N.of_nat (count_occ Nat.eq_dec (map kind (placements l)) k).
+Definition demanded (l : layout) (k : nat) (n : N) : Prop := exists p, nth_error (kinds l) k = Some p /\ demand p = Some n.
 Definition supplied (l : layout) : Prop := forall k n, demanded l k n -> number l k = n.
 Definition keeps (d : Q) (S T : point -> Prop) : Prop := ~ overlap S T /\ at_least d S T.
 
@@ -132,8 +133,8 @@ Inductive fault := Missing (k : nat) | Surplus (k : nat) | Mirrored (k : nat) | 
   | Overlapping (i : nat) (b : body) | Too_close (i : nat) (b : body).
 Definition has (l : layout) (f : fault) : Prop :=
   match f with
-  | Missing k => exists n, demanded l k n /\ (number l k < n)%nat
-  | Surplus k => exists n, demanded l k n /\ (n < number l k)%nat
+  | Missing k => exists n, demanded l k n /\ (number l k < n)%N
+  | Surplus k => exists n, demanded l k n /\ (n < number l k)%N
   | Mirrored k => exists x, In x (placements l) /\ kind x = k /\ mirrored (by_motion x) = true /\ may_mirror (kind_of l x) = false
   | Rotated k => exists x, In x (placements l) /\ kind x = k /\ ~ rotated l x
   | Not_simple k => exists p z, nth_error (kinds l) k = Some p /\ winding (outline (form p)) z <> 0%Z /\ winding (outline (form p)) z <> 1%Z
@@ -156,18 +157,18 @@ Definition no_fit_claim (D G loops : list ring) (fits : list (point * point)) : 
   (forall t, L t <-> (closure (overlaps_at D G) t /\ ~ overlaps_at D G t)) /\
   (forall t, ~ L t -> (overlaps_at D G t /\ winding loops t = 1%Z) \/ (~ overlaps_at D G t /\ winding loops t = 0%Z)).
 
-(* Loops by name, all listed counter-clockwise: each is simple, and the holes have no point in common.  `simple` is about
-   winding numbers: a loop may touch itself. *)
+(* Loops by name, all listed counter-clockwise: each is simple, the holes have no point in common, and they are in the
+   exterior.  `simple` is about winding numbers: a loop may touch itself. *)
 Definition named (exterior : ring) (holes : list ring) : Prop :=
-  simple [exterior] /\ Forall (fun h => simple [h]) holes /\ forall z, winding holes z = 0%Z \/ winding holes z = 1%Z.
+  simple [exterior] /\ Forall (fun h => simple [h]) holes /\ (forall z, winding holes z = 0%Z \/ winding holes z = 1%Z) /\
+  forall z, winding holes z = 1%Z -> winding [exterior] z = 1%Z.
 Definition with_holes (exterior : ring) (holes : list ring) : list ring := exterior :: map (@rev _) holes.
-(* Contact: the closed shapes have a common point, but no overlap.  Off loops and fits, holes are inside the exterior. *)
+(* Contact: the closed shapes have a common point, but no overlap. *)
 Definition touches_at (D G : list ring) (t : point) : Prop :=
   (exists z, closure (inside D) z /\ closure (inside (translate t G)) z) /\ ~ overlaps_at D G t.
 Definition no_fit_polygon (D G : list ring) (exterior : ring) (holes : list ring) (fits : list (point * point)) : Prop :=
   let L := on_any (flat_map edges (with_holes exterior holes) ++ fits) in
-  no_fit_claim D G (with_holes exterior holes) fits /\ (forall t, L t <-> touches_at D G t) /\ named exterior holes /\
-  forall z, ~ L z -> winding holes z = 1%Z -> winding [exterior] z = 1%Z.
+  no_fit_claim D G (with_holes exterior holes) fits /\ (forall t, L t <-> touches_at D G t) /\ named exterior holes.
 
 (* Inner fits: the translations at which G + t is in the container C.  The claim on regions and exact fits. *)
 Definition fits_at (C G : list ring) (t : point) : Prop := forall z, inside (translate t G) z -> inside C z.
@@ -180,8 +181,7 @@ Definition inner_fit_polygon (C G : list ring) (regions : list (ring * list ring
 
 (* Swept areas: G travels along the segments T.  Off loops, and slits, which are no part of the answer, the loops wind once
    around the points that G covers on its way, and not around the rest. *)
-Definition swept (T : list (point * point)) (G : list ring) (p : point) : Prop :=
-  exists t, on_any T t /\ closure (inside (translate t G)) p.
+Definition swept (T : list (point * point)) (G : list ring) (p : point) : Prop := exists t, on_any T t /\ closure (inside (translate t G)) p.
 Definition sweep_claim (T : list (point * point)) (G loops : list ring) (slits : list (point * point)) : Prop :=
   forall p, ~ on_any (flat_map edges loops ++ slits) p ->
     (swept T G p /\ winding loops p = 1%Z) \/ (~ swept T G p /\ winding loops p = 0%Z).

@@ -68,7 +68,7 @@ Definition bounds (one other : ring) : list (pt * Z) :=
 Definition is_beyond (e : edge) (x : pt * Z) : bool :=
   let (n, m) := x in negb (same n (0, 0)) && (m <=? dot n (fst e)) && (m <=? dot n (snd e)).
 Definition clear (one other : ring) (found : list (pt * Z)) (e : edge) : bool :=
-  existsb (is_beyond e) found || is_beyond e (bound one other (normal e)) || is_beyond e (bound one other (opposite (normal e))).
+  if some (is_beyond e) found then true else some (fun n => is_beyond e (bound one other n)) [normal e; opposite (normal e)].
 
 (* Two edges of loops have at most one common point. *)
 Definition distinct (e g : edge) : bool :=

@@ -51,10 +51,9 @@ Proof.
   intros IP IQ I. pose proof (Clear P Q IP IQ) as H. unfold is_clear in H. apply andb_prop in H as (_ & H). cbv zeta in H.
   rewrite forallb_forall in H. specialize (H e I). unfold clear in H.
   assert (G : exists n, is_beyond e (bound P Q n) = true).
-  { apply orb_prop in H as [H|H]; [apply orb_prop in H as [H|H]|].
-    - apply existsb_exists in H as (x & X & H). unfold bounds in X. apply in_map_iff in X as (n & <- & _). exists n. exact H.
-    - eexists. exact H.
-    - eexists. exact H. }
+  { destruct (some (is_beyond e) (bounds P Q)) eqn:B.
+    - apply some_exists in B as (x & X & B). unfold bounds in X. apply in_map_iff in X as (n & <- & _). exists n. exact B.
+    - apply some_exists in H as (n & _ & H). exists n. exact H. }
   destruct G as (n & G). unfold is_beyond, bound in G. apply andb_prop in G as (G & G2). apply andb_prop in G as (G0 & G1).
   apply same_not in G0. apply Z.leb_le in G1, G2. exists n, (most n P + most n Q)%Z. split; [|split; assumption].
   intros t T. exact (Bound P Q n t IP IQ G0 T).

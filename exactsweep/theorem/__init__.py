@@ -1,0 +1,1 @@
+"""Certificates as theorems: claims for the checker that is proved in Coq."""
