@@ -2,14 +2,13 @@
 
 from collections.abc import Sequence
 from fractions import Fraction
-from typing import NamedTuple, cast
+from typing import Any, NamedTuple, cast
 
 from exactsweep.geometry.simplicity import find_conflict
-from exactsweep.geometry.vectors import cross, minus
 from exactsweep.numbers.addition import add_ratios, add_up
 from exactsweep.numbers.error import ExactSweepError
-from exactsweep.numbers.lazy_number import lazy_points
 from exactsweep.numbers.number import Point, Vertex
+from exactsweep.numbers.unreduced import unreduced_points
 
 
 class PolygonError(ExactSweepError):
@@ -43,14 +42,19 @@ def canonicalize_ring(points: Sequence[Vertex]) -> CanonicalRing:
     """
     is_long = any(isinstance(c, Fraction) for p in points[:1] for c in p)
     # The code below only compares, subtracts and multiplies them.
-    compared = cast(Sequence[Vertex], lazy_points(points)) if is_long else points
+    compared = cast(Sequence[Vertex], unreduced_points(points)) if is_long else points
     ring, vertices, edges = _join_equal(compared)
     turns = find_turns(ring)
     if is_long:
         # Only the signs are used.
         turns = [(turn > 0) - (turn < 0) for turn in turns]
     if not any(turns):
-        raise _describe_flat(points)
+        distinct = len(set(points))
+        raise PolygonError(
+            "zero area: all vertices lie on one line"
+            if distinct > 2
+            else f"fewer than three distinct vertices: {distinct} among the {len(points)} given"
+        )
     _refuse_spikes(ring, turns, vertices)
     # Without spikes, a vertex without a turn lies inside a straight edge.
     corners = [i for i, turn in enumerate(turns) if turn]
@@ -92,17 +96,10 @@ def _join_equal(
 
 def find_turns(ring: Sequence[Vertex]) -> list[int | Fraction]:
     """Return the cross product of the edges before and after each vertex."""
-    edges = [minus(q, p) for p, q in zip([*ring[-1:], *ring[:-1]], ring, strict=True)]
-    return list(map(cross, edges, [*edges[1:], *edges[:1]]))
-
-
-def _describe_flat(points: Sequence[Vertex]) -> PolygonError:
-    distinct = len(set(points))
-    if distinct < 3:
-        return PolygonError(
-            f"fewer than three distinct vertices: {distinct} among the {len(points)} given"
-        )
-    return PolygonError("zero area: all vertices lie on one line")
+    after = [*ring[1:], *ring[:1]]
+    steps = [(qx - px, qy - py) for (px, py), (qx, qy) in zip(ring, after, strict=True)]
+    before = [*steps[-1:], *steps[:-1]]
+    return [ax * by - ay * bx for (ax, ay), (bx, by) in zip(before, steps, strict=True)]
 
 
 def _refuse_spikes(
@@ -122,18 +119,17 @@ def _refuse_conflicts(
     if conflict is None:
         return
     kind, i, j = conflict
-    first = edges[i] if kind == "edges cross" else vertices[i]
-    second = vertices[j] if kind == "vertices coincide" else edges[j]
-    low, high = sorted((first, second))
-    raise PolygonError(
-        {
-            "vertices coincide": f"the boundary touches itself: vertices {low} and {high} coincide",
-            "vertex touches edge": (
-                f"the boundary touches itself: vertex {first} lies on edge {second}"
-            ),
-            "edges cross": f"the boundary crosses itself: edges {low} and {high} cross",
-        }[kind]
-    )
+    if kind == "vertex touches edge":
+        what = f"touches itself: vertex {vertices[i]} lies on edge {edges[j]}"
+    else:
+        names = edges if kind == "edges cross" else vertices
+        low, high = sorted((names[i], names[j]))
+        what = (
+            f"crosses itself: edges {low} and {high} cross"
+            if kind == "edges cross"
+            else f"touches itself: vertices {low} and {high} coincide"
+        )
+    raise PolygonError(f"the boundary {what}")
 
 
 def find_doubled_area(ring: Sequence[Vertex]) -> int | Fraction:
@@ -141,14 +137,11 @@ def find_doubled_area(ring: Sequence[Vertex]) -> int | Fraction:
 
     Cost: O(n) for ints; for Fractions, as for `add_up`.
     """
-    after = (*ring[1:], ring[0])
-    if all(type(part) is int for point in ring for part in point):
-        return sum(ax * by - ay * bx for (ax, ay), (bx, by) in zip(ring, after, strict=True))
-    terms = []
-    for p, q in zip(ring, after, strict=True):
-        (a, b), (c, d), (e, f), (g, h) = (part.as_integer_ratio() for part in (*p, *q))
-        terms.append((a * g * d * f - c * e * b * h, b * d * f * h))
-    return add_ratios(terms)
+    is_integral = all(type(part) is int for point in ring for part in point)
+    points: Any = ring if is_integral else unreduced_points(ring)
+    after = (*points[1:], points[0])
+    terms = [ax * by - ay * bx for (ax, ay), (bx, by) in zip(points, after, strict=True)]
+    return sum(terms) if is_integral else add_ratios((term.n, term.d) for term in terms)
 
 
 def find_centroid(ring: Sequence[Point]) -> Point:
@@ -158,11 +151,11 @@ def find_centroid(ring: Sequence[Point]) -> Point:
     >>> print(*find_centroid(Polygon([(0, 0), (3, 0), (0, 6)]).vertices))
     1 2
     """
-    double = Fraction(find_doubled_area(ring))
-    if not double:
-        return ring[0]
     edges = [*zip(ring, (*ring[1:], ring[0]), strict=True)]
     weights = [p.x * q.y - p.y * q.x for p, q in edges]
+    double = add_up(weights)
+    if not double:
+        return ring[0]
     x, y = (
         add_up((p[k] + q[k]) * weight for (p, q), weight in zip(edges, weights, strict=True))
         for k in (0, 1)

@@ -14,10 +14,10 @@ from hypothesis import strategies as st
 from exactsweep import Polygon, PolygonError, Region, sweep
 from exactsweep.check import verify
 from exactsweep.geometry.canonical import CanonicalRing, canonicalize_ring, find_doubled_area
-from exactsweep.numbers import lazy_number
 from exactsweep.numbers.addition import add_ratios, add_up
 from exactsweep.numbers.digits import read_ratio, write_int
 from exactsweep.numbers.number import Vertex
+from exactsweep.numbers.unreduced import unreduced_points
 
 GRID = st.lists(st.tuples(st.integers(0, 4), st.integers(0, 4)), min_size=3, max_size=9)
 MINUTE = Fraction(1, 10**400)
@@ -52,47 +52,14 @@ def test_equal_first_digits_need_exact_computation(
         assert one[1:] == other[1:]
 
 
-LONG = Fraction(10**90 + 7, 10**90 - 3)  # equal to 1 in its first 256 bits
-VALUES = [
-    *(Fraction(k, 3) for k in (-7, -3, 0, 1, 3, 8)),
-    *(LONG, -LONG, 1 / LONG, 1 + (LONG - 1) / 2, Fraction(-1, 7**400), Fraction(1, 7**400)),
-]
-
-
-@pytest.mark.parametrize("factor", [1, Fraction(10**99), Fraction(7**500), Fraction(1, 7**500)])
-def test_intervals_hold_their_numbers(factor: Fraction) -> None:
-    """Under differences and products, and whatever is compared."""
-    values = [factor * value for value in VALUES]
-    pairs = lazy_number.lazy_points([(value, values[k - 1]) for k, value in enumerate(values)])
-    largest = max(values)
-    lazy = [x for x, _ in pairs]
-    assert [y for _, y in pairs] == lazy[-1:] + lazy[:-1]
-    of_largest = lazy[values.index(largest)]
-    assert 255 <= of_largest._high.bit_length() <= 258
-    # The scale, by the largest number, as nearly as its interval tells.
-    most, least = (Fraction(end) / largest for end in (of_largest._high, of_largest._low))
-    for i, (a, x) in enumerate(zip(lazy, values, strict=True)):
-        assert a._high - a._low == 1
-        assert (a > 0, a >= 0, a < 0, a <= 0, a == 0) == (x > 0, x >= 0, x < 0, x <= 0, x == 0)
-        for b, y in zip(lazy[i:], values[i:], strict=True):
-            assert (a > b, a >= b, a < b, a <= b) == (x > y, x >= y, x < y, x <= y)
-            assert (b > a, b >= a, b < a, b <= a) == (y > x, y >= x, y < x, y <= x)
-            assert (a == b) == (hash(a) == hash(b)) == (x == y)
-            for found, value, degree in ((a - b, x - y, 1), (b - a, y - x, 1), (a * b, x * y, 2)):
-                ends = value * most**degree, value * least**degree
-                assert found._low <= max(ends)
-                assert min(ends) <= found._high
-                assert found._high - found._low <= 2 ** (262 if degree == 2 else 1)
-                assert Fraction(*found._exact()) == value
-                assert (found > 0, found == 0) == (value > 0, value == 0)
-
-
-def test_numbers_as_long_as_their_intervals_are_distinguished() -> None:
-    for bits in range(252, 260):
-        large, third = Fraction(2**bits), Fraction(1, 3)
-        ((x, y), (u, v)) = lazy_number.lazy_points([(large, third), (large + third, third)])
-        assert (x > y, x < u, y == v) == (True, True, True)
-        assert x._low == 2**256
+@given(st.fractions(), st.fractions())
+def test_unreduced_numbers_compare_as_fractions_do(x: Fraction, y: Fraction) -> None:
+    ((a, b),) = unreduced_points([(x, y)])
+    ((c, _),) = unreduced_points([(x * y, x - y)])
+    assert (a > b, a >= b, a < b, a <= b, a == b) == (x > y, x >= y, x < y, x <= y, x == y)
+    assert (a > 0, a >= 0, a < 0, a <= 0, a == 0) == (x > 0, x >= 0, x < 0, x <= 0, x == 0)
+    assert (a * b, Fraction((a - b).n, (a - b).d)) == (c, x - y)
+    assert hash(a * b) == hash(c)
 
 
 def long_star(n: int, digits: int) -> list[tuple[Fraction, Fraction]]:
@@ -105,23 +72,6 @@ def long_star(n: int, digits: int) -> list[tuple[Fraction, Fraction]]:
             denominator = rng.getrandbits(int(3.32 * digits)) | 1
             points.append(Fraction(int(radius * unit * 10**9) * denominator // 10**9, denominator))
     return [*zip(points[::2], points[1::2], strict=True)]
-
-
-def test_hardly_a_sign_of_a_long_ring_is_computed(monkeypatch: pytest.MonkeyPatch) -> None:
-    computed = 0
-    exact = lazy_number.LazyNumber._exact
-
-    def count(self: lazy_number.LazyNumber) -> tuple[int, int]:
-        nonlocal computed
-        computed += 1
-        return exact(self)
-
-    monkeypatch.setattr(lazy_number.LazyNumber, "_exact", count)
-    assert len(Polygon(long_star(300, 1000))) == 300
-    assert computed < 100  # and were 20,000
-    ((x, y),) = lazy_number.lazy_points([(MINUTE, MINUTE)])
-    assert x == y
-    assert computed > 0
 
 
 def test_points_of_mixed_numbers_are_turned_by_their_signs() -> None:
