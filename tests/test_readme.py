@@ -138,14 +138,14 @@ def test_the_counts_of_claims_and_cases_hold() -> None:
     statuses = re.findall(r": ([a-z ]+) \(.*\)$", run("reproduce", "--list").stdout, re.M)
     count = Counter(statuses)
     held = count["reproduced"] + count["sharpened"]
-    said = re.search(r"the paper, of (\d+): .*? \| (\d+), (\d+), (\d+), (\d+) ", words)
-    assert said
+    shown = re.search(r"the (\d+) claims of the paper: .*? \| (\d+), (\d+), (\d+), (\d+) ", words)
+    assert shown
     refuted = count["refuted as stated"] + count["refuted by theorem"]
     less = [count["reproduced with a condition"], count["misprint"], refuted]
     added = count["added"]
-    assert [*map(int, said.groups())] == [len(statuses) - added, held, *less]
+    assert [*map(int, shown.groups())] == [len(statuses) - added, held, *less]
     assert sum([held, *less, added]) == len(statuses)
-    assert f"of {len(shipped_cases())} cases" in words
+    assert f"out of {len(shipped_cases())} cases" in words
 
 
 @pytest.mark.long

@@ -37,9 +37,9 @@ COLUMNS = {
 INSIDE = "inside a container"
 HEAD = """# Exactness of other programs
 
-A cell counts the cases that a program answers exactly; `+` counts those that are right except for
-rounding that its numbers explain; `of` counts those that it was asked. Lost exact fits do not
-count, since programs for Minkowski sums cannot know them. A blank cell: no such case is for that
+A cell counts the cases that a program answers exactly; `+` counts answers that differ only by the
+rounding of the program's numbers; `of` counts the cases asked. Lost exact fits do not count, since
+programs for Minkowski sums cannot find them. A cell is blank if no such case applies to the
 program. [Other programs](README.md) lists the questions to each.
 
 """
