@@ -126,7 +126,7 @@ class Candidate(NamedTuple):
     def polygon(self) -> Polygon:
         """Parse the polygon; raises FormatError, or PolygonError if it is not simple."""
         for hole in self.holes():
-            raise FormatError(f"{hole.place}: a hole; read it as a Region")
+            raise FormatError(f"{hole.place}: a hole; read the polygon as a Region")
         return self._read(self._make_polygon)
 
     def region(self) -> Region:
@@ -160,14 +160,12 @@ class Candidate(NamedTuple):
             if self.rule is None or not pieces:
                 raise
             regions = count(len(pieces), "polygon")
-            remarks.notes.append(f"{error}: {regions} by the fill rule {self.rule}")
+            remarks.notes.append(f"{error}; {regions} by the {self.rule} fill rule")
         found = []
         for piece in pieces:
             area = piece.region().area if self.clean else self.clean
             if area < self.clean:
-                remarks.left_out.append(
-                    f"{piece.place}: its area, {float(area):.3g}, is below --clean"
-                )
+                remarks.left_out.append(f"{piece.place}: area {float(area):.3g} is below --clean")
             else:
                 found.append(piece)
         return found
@@ -243,5 +241,5 @@ def allow_faults(drawn: Iterable[_Any]) -> Iterator[_Any]:
             try:
                 require_count(number, FAULT, "elements that are not polygons")
             except FormatError as error:
-                raise FormatError(f"{error}, the first: {first}") from None
+                raise FormatError(f"{error}; the first: {first}") from None
         yield one

@@ -77,7 +77,7 @@ def select(candidates: Sequence[Candidate], choice: str) -> list[Candidate]:
     near = suggest(choice, [n for o in candidates for n in (o.name, o.layer, *o.groups) if n])
     raise FormatError(
         f"no polygon has the name, index, layer or group {quote(choice)}"
-        f"{near or f'; there are {len(candidates)}'}"
+        f"{near or f'; there are {len(candidates)} polygons'}"
     )
 
 

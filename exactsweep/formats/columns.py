@@ -51,8 +51,8 @@ def reject_placements(head: Sequence[str], place: str) -> None:
     if placing and {"x", "y"} <= {*meanings}:
         part = "" if "radius" in meanings else " --part OUTLINE"
         raise FormatError(
-            f"{place}: with a column {quote(head[placing[0]].strip())}, x and y are positions; "
-            f"'exactsweep layout FILE{part}' judges a table of placements"
+            f"{place}: a table of placements, because of the column "
+            f"{quote(head[placing[0]].strip())}; 'exactsweep layout FILE{part}' judges it"
         )
 
 

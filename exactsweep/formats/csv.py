@@ -81,7 +81,7 @@ def _parse(text: str) -> list[Candidate]:
     columns = {cell: k for k, cell in enumerate(head) if cell in _COLUMNS}
     twice = next((cell for cell in columns if head.count(cell) > 1), None)
     if twice:
-        raise FormatError(f"line {first[0]}: two columns {quote(twice)}")
+        raise FormatError(f"line {first[0]}: duplicate column {quote(twice)}")
     needed = ["x", "y"]
     reject_placements(head, f"line {first[0]}")
     needed += next((pair for pair in _SIZES if columns.keys() >= {*pair}), ())
@@ -98,7 +98,7 @@ def _parse(text: str) -> list[Candidate]:
     point = "," if separator == "," else "."
     for line, row in rows:
         if len(row) <= max(places):
-            raise FormatError(f"line {line}: {len(row)} cells, without {' and '.join(needed)}")
+            raise FormatError(f"line {line}: {len(row)} cells; {' or '.join(needed)} is missing")
         name = next((row[k] for k in naming if k < len(row)), "")
         cells = [row[k] for k in places]
         if len(cells) == 1:

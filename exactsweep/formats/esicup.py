@@ -30,7 +30,7 @@ def _read_piece(piece: Element, polygons: dict[str, Element]) -> Candidate:
     place = f"piece {quote(name)}"
     try:
         if len(components) != 1:
-            raise FormatError(f"{len(components)} components; only one is supported")
+            raise FormatError(f"expected one component, found {len(components)}")
         component = components[0]
         polygon = polygons.get(component.get("idPolygon", ""))
         if polygon is None:

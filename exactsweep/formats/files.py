@@ -40,7 +40,7 @@ def read_text(path: str) -> str:
     if data.startswith(b"AutoCAD Binary DXF"):
         raise FormatError("a binary DXF file; save it as ASCII DXF")
     if data.startswith(b"\x1f\x8b"):
-        raise FormatError("compressed by gzip; unpack it")
+        raise FormatError("a gzip file; decompress it first")
     try:
         return decode_text(data)
     except FormatError:

@@ -55,7 +55,7 @@ def find_files(path: str) -> list[str]:
         ]
         if not found:
             raise FormatError(
-                f"{show_path(path)}: contains no file with a suffix of {', '.join(ENDINGS)}"
+                f"{show_path(path)}: no file has one of the suffixes {', '.join(ENDINGS)}"
             )
         return sorted(map(str, found))
     if has_magic(path) and not os.path.lexists(path):

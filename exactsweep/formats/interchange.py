@@ -178,7 +178,7 @@ def from_numpy(array: numpy.ndarray) -> Polygon:
         (0, 0) (1, 0) (0, 1/2)
     """
     if len(array.shape) != 2 or array.shape[1] != 2:
-        raise FormatError(f"an array of shape {array.shape}, not (n, 2)")
+        raise FormatError(f"the array has shape {array.shape}, not (n, 2)")
     return Polygon(array)
 
 
@@ -206,7 +206,7 @@ def to_numpy(polygon: Polygon, dtype: str = "object", *, nearest: bool = False) 
     if dtype == "float64":
         return numpy.array(_floats(polygon.vertices, nearest))
     if dtype != "int64":
-        raise FormatError(f"dtype {quote(dtype)}: not 'object', 'int64' or 'float64'")
+        raise FormatError(f"dtype must be 'object', 'int64' or 'float64', not {quote(dtype)}")
     for i, vertex in enumerate(polygon.vertices):
         for value in vertex:
             if value.denominator != 1 or not -(2**63) <= value < 2**63:

@@ -35,7 +35,7 @@ def parse_candidates(
 ) -> PartList[Candidate]:
     """Find the polygons in text, like `parse_regions`, without parsing their numbers."""
     if not isinstance(text, str):
-        raise FormatError(f"{type(text).__name__} is not text")
+        raise FormatError(f"expected text, not {type(text).__name__}")
     return parse_by(text, Reading(tolerance, **options))
 
 
@@ -88,8 +88,8 @@ def _parse(text: str, reading: Reading) -> Sequence[Candidate]:
         re.split(r"[,;\t]", text.lstrip()[:1000].partition("\n")[0]), "line 1"
     )
     raise FormatError(
-        f"starts with {quote(text.split(maxsplit=1)[0])}: not JSON, GeoJSON, WKT, SVG, DXF, or CSV "
-        "with columns x and y"
+        f"unknown format, starts with {quote(text.split(maxsplit=1)[0])}; expected JSON, GeoJSON, "
+        "WKT, SVG, DXF, or CSV with columns x and y"
     )
 
 

@@ -200,7 +200,7 @@ def _read_one(
     if one.error and tolerance is None:
         raise FormatError(
             f"{one.place}: curves need a tolerance, for example 0.01; "
-            "read_regions chooses one and states the error"
+            "read_regions chooses one and returns the error"
         )
     return read_single(one, read)
 
@@ -214,7 +214,7 @@ def read_single(one: Candidate, read: Callable[[Candidate], _OneRead]) -> _OneRe
     if not found:
         raise FormatError(summarize(remarks.left_out))
     hint = "'exactsweep convert' separates them, --clean drops small ones"
-    raise FormatError(f"{one.place}: it fills {len(found)} polygons; {hint}")
+    raise FormatError(f"{one.place}: fills {len(found)} polygons; {hint}")
 
 
 def _select(found: PartList[Candidate], choice: str | None) -> PartList[Candidate]:

@@ -124,18 +124,18 @@ class Reading:
         if count > MAX_LINES:
             shown = f"{count:,}" if count <= 10**12 else "more than 10**12"
             raise FormatError(
-                f"a curve needs {shown} lines at this tolerance, more than {MAX_LINES:,}"
+                f"a curve needs {shown} chords at this tolerance; the maximum is {MAX_LINES:,}"
             )
         self.lines += count
         if self.lines * VERTEX > get_limits().max_bytes:
             raise FormatError(
-                f"the curves of the file need {self.lines:,} lines at this tolerance, "
-                f"more than {get_limits().max_bytes // VERTEX:,} (max_mib)"
+                f"the curves in the file need {self.lines:,} chords at this tolerance; "
+                f"the maximum is {get_limits().max_bytes // VERTEX:,} (max_mib)"
             )
 
     def allow_vertices(self, count: int) -> None:
         self.vertices += count
-        require_count(self.vertices, VERTEX, "vertices are drawn")
+        require_count(self.vertices, VERTEX, "drawn vertices")
 
     def allow_copies(self, count: int, size: int, draw: str, things: str) -> None:
         self.copies, self.copied = self.copies + count, self.copied + size
@@ -168,8 +168,8 @@ class Reading:
         if all(height is heights[0] for height in heights):
             return
         if max(heights) - min(heights) > (self.join or 0):
-            allowed = "" if self.join else " (--join allows a distance)"
-            raise FormatError(f"not planar: its points have different heights{allowed}")
+            hint = "" if self.join else "; --join DISTANCE allows small differences"
+            raise FormatError(f"not planar: the heights differ{hint}")
 
 
 def read_positive(value: object, name: str) -> Fraction | None:
@@ -178,7 +178,7 @@ def read_positive(value: object, name: str) -> Fraction | None:
     with prefix_errors(name, FormatError):
         number = to_fraction(value)
     if number <= 0:
-        raise FormatError(f"{name}, {show_number(number)}, is not positive")
+        raise FormatError(f"{name} must be positive, not {show_number(number)}")
     return number
 
 

@@ -138,7 +138,7 @@ def round_region(region: Region, places: int, side: Side = "closest") -> Rounded
         (0, 0) (3, 0) (3, 2) (0, 2)
     """
     if not 0 <= places <= MAX_PLACES:
-        raise FormatError(f"{quote(places)} decimal places: not from 0 to {MAX_PLACES}")
+        raise FormatError(f"decimal places must be between 0 and {MAX_PLACES}, not {quote(places)}")
     grid = Fraction(1, 10**places)
     if side == "closest":
         rings = [[Point(round(x, places), round(y, places)) for x, y in r] for r in region.rings]

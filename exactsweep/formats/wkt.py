@@ -42,7 +42,7 @@ def parse_wkt(text: str, notes: dict[str, None] | None = None) -> list[Candidate
     found = [*allow_faults(reader.outlines())]
     if reader.opened and notes is not None:
         rings = count(len(reader.opened), "open ring")
-        notes[f"{rings} closed, first {reader.opened[0]}"] = None
+        notes[f"{rings} closed, the first at {reader.opened[0]}"] = None
     if not found:
         raise FormatError("contains no polygon")
     return found if len(found) > 1 else [found[0]._replace(place="")]
@@ -150,7 +150,7 @@ class _Reader:
             self.kind, self.word, self.offset = match.lastgroup, match[0], match.start()
 
     def _show(self) -> str:
-        return "the end" if self.kind == "end" else quote(self.word)
+        return "the end of the text" if self.kind == "end" else quote(self.word)
 
     def _place(self) -> str:
         line = bisect_right(self.lines, self.offset)

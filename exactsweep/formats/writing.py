@@ -56,7 +56,7 @@ def format_polygons(
         POLYGON ((0 0, 0.5 0, 0 1, 0 0))
     """
     if form not in FORMATS:
-        raise FormatError(f"{quote(form)} is not one of the formats {', '.join(FORMATS)}")
+        raise FormatError(f"unknown format {quote(form)}; choose from {', '.join(FORMATS)}")
     named = [_name(polygon) for polygon in polygons]
     if not named and not fits:
         raise FormatError("no polygon to write")
@@ -237,9 +237,7 @@ def _row(name: str, points: Sequence[Point], form: str) -> _Decimals:
         try:
             row.append((format_decimal(x), format_decimal(y)))
         except FormatError as error:
-            raise FormatError(
-                f"{name}, vertex {i}: {error}; {form} holds no other numbers"
-            ) from None
+            raise FormatError(f"{name}, vertex {i}: {error}, as {form} requires") from None
     return row
 
 

@@ -106,7 +106,7 @@ def test_limits_apply_to_files(tmp_path: Path) -> None:
         ("[[0, 0], [1, 0]]".encode("utf-16"), "UTF-16 text; save it as UTF-8"),
         (b" " * (2**24 + 1), "more than 16 MiB (max_mib)"),
         (b"\x89PNG\r\n", "not UTF-8 text: invalid start byte at byte 0"),
-        (b"\x1f\x8b\x08\x00", "compressed by gzip; unpack it"),
+        (b"\x1f\x8b\x08\x00", "a gzip file; decompress it first"),
     ],
     ids=["empty", "latin", "utf-16", "enormous", "png", "svgz"],
 )

@@ -222,16 +222,16 @@ def test_areas_converge(shape: str) -> None:
 
 
 def test_too_many_lines_are_rejected_early() -> None:
-    with pytest.raises(FormatError, match=r"circle: a curve needs 3,206,376,105 lines at"):
+    with pytest.raises(FormatError, match=r"circle: a curve needs 3,206,376,105 chords at"):
         parse_polygon("<svg><circle r='1'/></svg>", tolerance="1e-18")
-    with pytest.raises(FormatError, match=r"needs more than 10\*\*12 lines at this"):
+    with pytest.raises(FormatError, match=r"needs more than 10\*\*12 chords at this"):
         parse_polygon("<svg><circle r='1'/></svg>", tolerance="1e-30")
     circle = '<circle r="1"/>'
     with limits(max_mib=1000 * VERTEX / 2**20):
         assert len(parse_polygons(f"<svg>{circle * 2}</svg>", tolerance="6e-5")) == 2
         found = parse_polygons(f"<svg>{circle * 3}</svg>", tolerance="6e-5")
     assert len(found) == 2
-    assert re.search(r"need 1,\d{3} lines .* 1,000 \(max", found.left_out[0])
+    assert re.search(r"need 1,\d{3} chords .* 1,000 \(max", found.left_out[0])
 
 
 @pytest.mark.parametrize("tolerance", [0, "-1", "x", float("nan"), True])
@@ -275,9 +275,9 @@ def rational_point(corners: list[Point], weights: list[Fraction], t: Fraction) -
 @pytest.mark.parametrize(
     ("degree", "count", "knots", "weights", "says"),
     [
-        (0, 3, [0, 1, 2, 3], [], r"the degree is 0, not 1 to \d+"),
-        (2, 2, [0, 0, 0, 1, 1], [], "2 control points of degree 2"),
-        (2, 3, [0, 0, 0, 1, 1], [], "5 knots, not 6"),
+        (0, 3, [0, 1, 2, 3], [], r"the degree must be 1 to \d+, not 0"),
+        (2, 2, [0, 0, 0, 1, 1], [], "2 control points; degree 2 needs 3"),
+        (2, 3, [0, 0, 0, 1, 1], [], "5 knots, expected 6"),
         (2, 3, [0, 0, 1, 0, 1, 1], [], "the knots are not in order"),
         (2, 3, [0, 0, 1, 1, 1, 1], [], "all knots are equal"),
         (2, 3, [0, 0, 0, 1, 1, 1], [1, 1], "expected one positive weight"),
@@ -346,9 +346,9 @@ def test_the_bend_is_invariant_under_translation(
 
 def test_huge_numbers_of_lines_are_abridged() -> None:
     reading = Reading(tolerance=Fraction(1))
-    with pytest.raises(FormatError, match="needs 1,000,000,000,000 lines"):
+    with pytest.raises(FormatError, match="needs 1,000,000,000,000 chords"):
         reading.allow_lines(10**12)
-    with pytest.raises(FormatError, match=r"needs more than 10\*\*12 lines"):
+    with pytest.raises(FormatError, match=r"needs more than 10\*\*12 chords"):
         reading.allow_lines(10**12 + 1)
 
 

@@ -224,7 +224,7 @@ def test_outlines_that_cross_are_filled_by_their_rule() -> None:
     assert [len(whole), len(ends)] == [1, 5]
     bow = parse_regions('<svg><path d="M20 5L30 15L30 5L20 15Z"/></svg>')
     assert [part.region.area for part in bow] == [25, 25]
-    assert "2 polygons by the fill rule nonzero" in bow.notes[0]
+    assert "2 polygons by the nonzero fill rule" in bow.notes[0]
     cleaned = parse_regions('<svg><path d="M0 0H4V4H0zM9 9h.1v.1h-.1z"/></svg>', clean="1/2")
     assert [part.region.area for part in cleaned] == [16]
     assert "below --clean" in cleaned.left_out[0]

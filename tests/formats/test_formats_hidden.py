@@ -56,9 +56,8 @@ def test_hidden_entities_of_dxf_are_counted() -> None:
     assert parts.left_out == [
         "hidden: 2 LWPOLYLINE on the layer 'off', which is off (--hidden)",
         "hidden: 1 LWPOLYLINE on the layer 'frozen', which is frozen (--hidden)",
-        "hidden: 1 LWPOLYLINE on the layer 'DEFPOINTS', which is for the points of dimensions "
-        "(--hidden)",
-        "hidden: 1 LWPOLYLINE made invisible (--hidden)",
+        "hidden: 1 LWPOLYLINE on the layer 'DEFPOINTS', which is for dimension points (--hidden)",
+        "hidden: 1 LWPOLYLINE marked invisible (--hidden)",
         "hidden: 1 INSERT on the layer 'frozen', which is frozen (--hidden)",
         "hidden: 1 LWPOLYLINE in paper space (--hidden)",
     ]
@@ -86,7 +85,7 @@ def test_commands_count_hidden_elements(tmp_path: Path) -> None:
     path.write_text(SVG)
     done = run("nfp", f"{path}#part", f"{path}#part")
     assert "skipped: " in done.stderr
-    assert "hidden: 1 g with display none (--hidden)" in done.stderr
+    assert "hidden: 1 g with display: none (--hidden)" in done.stderr
     hidden = [line for line in done.stderr.splitlines() if "hidden: " in line]
     swept = run("sweep", f"{path}#part", f"{path}#used").stderr.splitlines()
     assert [line for line in swept if "hidden: " in line] == hidden

@@ -85,7 +85,7 @@ MAX_FAULTS = 2**24 // FAULT
     ids=["wkt", "json", "objects", "csv", "points"],
 )
 def test_too_many_vertices_are_rejected_unread(text: Callable[[], str]) -> None:
-    with pytest.raises(FormatError, match=r"more than 1,048,576 vertices .*\(max_mib\)"):
+    with pytest.raises(FormatError, match=r"more than 1,048,576 (drawn )?vertices.*\(max_mib\)"):
         parse_polygon(text())
 
 
@@ -103,7 +103,7 @@ def test_repeated_elements_are_charged_again(form: str) -> None:
         points = " ".join(f"{x},{y}" for x, y in teeth)
         uses = '<use href="#a"/>' * 200
         text = f'<svg><polygon id="a" points="{points}"/>{uses}</svg>'
-        refusal = r"^more than [\d,]+ vertices are drawn \(max_mib\)$"
+        refusal = r"^more than [\d,]+ drawn vertices \(max_mib\)$"
     else:
         points = "".join(f"10\n{x}\n20\n{y}\n" for x, y in teeth)
         block = f"0\nBLOCK\n2\nA\n10\n0\n20\n0\n0\nLWPOLYLINE\n70\n1\n{points}0\nENDBLK\n"
@@ -127,7 +127,7 @@ def test_reading_stops_at_the_limit_of_vertices() -> None:
     assert len(parse_polygon(f'<svg><path d="M0 0{arc}V-9z"/></svg>', tolerance="1/1000")) > 30
     for data in (["h1" * 998], ["h1" * 5000], ["h1" * 900, "h1" * 900], ["h1" * 997 + arc]):
         paths = "".join(f'<path d="M0 0{some}V9z"/>' for some in data)
-        refusal = r"^more than 1,000 vertices are drawn \(max_mib\)$"
+        refusal = r"^more than 1,000 drawn vertices \(max_mib\)$"
         with limits(max_mib=most), pytest.raises(FormatError, match=refusal):
             parse_polygons(f"<svg>{paths}</svg>", tolerance="1/1000")
 
@@ -176,7 +176,9 @@ def test_uses_in_deep_groups_are_rejected() -> None:
 def test_nested_transformations_are_bounded() -> None:
     group = f'<g transform="scale({"7" * 4000})">'
     text = f"<svg>{group * 90}<rect width='1' height='1'/>{'</g>' * 90}</svg>"
-    with pytest.raises(FormatError, match=r"^line 1: g: the product of the transform"):
+    with pytest.raises(
+        FormatError, match=r"^line 1: g: the numbers in the product of the transform"
+    ):
         parse_polygon(text)
 
 

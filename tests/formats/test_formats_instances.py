@@ -48,7 +48,7 @@ def test_a_turn_that_jagua_rounds_is_the_allowed_one(turn: float) -> None:
     (found,) = read_jagua(turn)
     assert kinds(found) == []
     assert found.data["placements"][0]["turn"] == str(turn)
-    assert found.notes == (f"item 0: the turn {turn} is 30 in single precision",)
+    assert found.notes == (f"item 0: the rotation {turn} is 30 in single precision",)
 
 
 def test_a_turn_that_jagua_rounds_is_noted_once() -> None:
@@ -81,7 +81,7 @@ def test_a_solution_does_not_change_the_bins_of_its_instance() -> None:
 
 
 @pytest.mark.parametrize(
-    ("height", "width", "reason"), [(9, 10, ""), (9, 9.9, "wider"), (8, 10, "higher")]
+    ("height", "width", "reason"), [(9, 10, ""), (9, 9.9, "wider"), (8, 10, "taller")]
 )
 def test_sheets_are_no_larger_than_the_strip(height: float, width: float, reason: str) -> None:
     strips = {"height": height, "max_width": width}
@@ -98,13 +98,13 @@ def test_sheets_are_no_larger_than_the_strip(height: float, width: float, reason
         read_jagua(0, strips=strips, containers=sheets)
 
 
-def test_a_drawn_container_is_no_higher_than_the_strip() -> None:
+def test_a_drawn_container_is_no_taller_than_the_strip() -> None:
     text, instance = nests.FILES["sparrow.svg"]
     assert instance is not None
     height = json.loads(instance)["strip_height"]
     lower = json.dumps({**json.loads(instance), "strip_height": height - 0.001})
     assert len(parse_layouts(text, instance=instance)) == 1
-    with pytest.raises(FormatError, match="the container is higher than the strip"):
+    with pytest.raises(FormatError, match="the container is taller than the strip"):
         parse_layouts(text, instance=lower)
 
 

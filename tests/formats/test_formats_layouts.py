@@ -73,10 +73,10 @@ def test_files_are_named_in_refusals(tmp_path: Path) -> None:
     with pytest.raises(FormatError, match=f"{instance}: neither a nesting instance"):
         read_layouts(str(file), instance=str(instance))
     file.write_text(nests.FILES["deepnest.svg"][0], encoding="utf-8")
-    with pytest.raises(FormatError, match=f"{file}: 2 layouts, not one"):
+    with pytest.raises(FormatError, match=f"{file}: expected one layout, found 2"):
         read_layout(str(file))
     assert read_layouts(f"{file}#1") == [read(nests.FILES["deepnest.svg"][0])[1]]
-    with pytest.raises(FormatError, match=f"{file}: no sheet has the number '2'; there are 2"):
+    with pytest.raises(FormatError, match=f"{file}: no sheet has the index '2'; there are 2"):
         read_layouts(f"{file}#2")
     file.write_text("", encoding="utf-8")
     with pytest.raises(FormatError, match=f"{file}: empty"):

@@ -46,7 +46,7 @@ def test_items_are_not_moved_away_from_their_container() -> None:
 @pytest.mark.parametrize(
     ("attribute", "reason"),
     [
-        ('x="99"', "not a translation and a rotation"),
+        ('x="99"', r"expected translate\(\.\.\.\) rotate"),
         ('style="transform: translate(99px, 0)"', "transformations in a style"),
         ('transform-origin="9 9"', "transform-origin is not supported"),
     ],
@@ -82,7 +82,7 @@ def test_hidden_parts_of_svgnest_are_omitted(how: str) -> None:
     style = "<style>.off {display: none}</style>"
     found = read_nest(f"{style}{GROUP.replace('<g', f'<g {how}')}{GROUP}<g/>")
     assert len(found.data["placements"]) == 1
-    assert found.notes == ("hidden: 1 g with display none (--hidden)",)
+    assert found.notes == ("hidden: 1 g with display: none (--hidden)",)
     inside = read_nest(style + GROUP.replace(PART, PART.replace("<path", f"<path {how}") + PART))
     assert inside.data == read_nest(GROUP).data
 
@@ -92,7 +92,7 @@ def test_hidden_outlines_of_a_drawing_are_omitted_with_a_note() -> None:
     drawn = f'<rect width="9" height="9"/>{PART}{hidden}'
     found = read(drawn)
     assert len(found.data["parts"]) == 1
-    assert found.notes == ("hidden: 1 path with display none (--hidden)",)
+    assert found.notes == ("hidden: 1 path with display: none (--hidden)",)
     assert len(read(drawn, hidden=True).data["parts"]) == 2
 
 

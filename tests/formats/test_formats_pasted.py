@@ -61,7 +61,7 @@ def test_rows_with_sizes_are_rectangles() -> None:
 @pytest.mark.parametrize("column", ["deg", "Angle (rad)", "rotation", "radius", "flipped"])
 def test_a_table_of_placements_is_not_a_polygon(column: str) -> None:
     text = f"n,x,y,{column}\n3,0,0,1\n3,1,0,1\n3,0,1,1\n"
-    said = f"with a column '{column.lower()}', x and y are positions; 'exactsweep layout FILE"
+    said = f"a table of placements, because of the column '{column.lower()}'; 'exactsweep layout"
     for table in (text, text.replace(",", "\t"), text.replace(",", ";")):
         with pytest.raises(FormatError, match=re.escape(said)):
             parse_polygons(table)
@@ -83,7 +83,7 @@ def test_other_tables_of_placements_name_the_command(table: str) -> None:
 def test_open_rings_of_wkt_are_closed_with_a_note() -> None:
     found = parse_polygons("POLYGON ((0 0, 4 0, 4 4, 0 4))")
     assert found[0].polygon.area == 16
-    assert found.notes == ["1 open ring closed, first line 1, column 10"]
+    assert found.notes == ["1 open ring closed, the first at line 1, column 10"]
 
 
 def test_instances_give_their_parts() -> None:
@@ -110,7 +110,7 @@ def test_pieces_of_esicup_are_read() -> None:
     found = parse_polygons(text)
     assert [(part.name, int(part.polygon.area)) for part in found] == [("a", 6)]
     assert not found.coordinates.y_down
-    assert found.left_out == ["piece 'b': 2 components; only one is supported"]
+    assert found.left_out == ["piece 'b': expected one component, found 2"]
 
 
 def draw_lwpolyline(layer: str, height: str) -> str:

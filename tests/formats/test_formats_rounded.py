@@ -165,7 +165,7 @@ def test_strokes_of_no_length_are_reported(dot: str, cap: str) -> None:
     dot = dot.format(f'id="tick" stroke="red" stroke-linecap="{cap}"')
     (found,) = parse_layouts(f'<svg>{dot}<rect width="9" height="9"/></svg>', container=False)
     assert len(found.data["parts"]) == 1
-    assert any("'tick': a stroke of no length" in note for note in found.notes)
+    assert any("'tick': a stroke of length zero" in note for note in found.notes)
 
 
 def test_a_single_point_is_no_dot() -> None:

@@ -114,7 +114,7 @@ def test_the_unit_is_that_of_the_tighter_side(ratio: str, side: int) -> None:
     root = f"<svg width='100mm' height='50mm' viewBox='0 0 100 100' preserveAspectRatio='{ratio}'>"
     square = f"{root}<rect width='10' height='10'/></svg>"
     assert parse_polygon(square, unit="mm").area == side * side
-    with pytest.raises(FormatError, match="different horizontal and vertical units"):
+    with pytest.raises(FormatError, match="the horizontal and vertical units differ"):
         parse_polygon(square.replace(ratio, "none"), unit="mm")
     assert parse_polygon(square.replace(ratio, "none")).area == 100
 

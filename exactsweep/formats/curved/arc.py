@@ -64,7 +64,7 @@ def to_degrees(radians: Fraction) -> Fraction:
     Only 0 becomes a multiple of 90: other multiples of 90 degrees are irrational in radians.
     """
     if abs(radians) > _MAX_TURN:
-        raise FormatError(f"an angle beyond {_MAX_TURN} radians")
+        raise FormatError(f"the angle exceeds {_MAX_TURN} radians")
     digits = _DIGITS
     while True:
         degrees = round(radians * 180 / find_pi(4 * (digits + _GUARD)), digits)

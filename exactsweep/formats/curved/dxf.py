@@ -61,13 +61,13 @@ def _read_polyline(entity: Entity, image: Affine, reading: Reading) -> Path:
     if entity.kind == "LWPOLYLINE":
         points, bulges = entity.corners()
     elif entity.flags() & _MESH:
-        raise FormatError("a mesh")
+        raise FormatError("meshes are not supported")
     else:
         points, bulges = entity.vertex_corners(reading)
     if entity.kind == "LWPOLYLINE" or not entity.flags() & _IN_SPACE:
         image = image @ entity.plane
     if all(point == points[0] for point in points):
-        raise OrnamentError("a point")
+        raise OrnamentError("a single point")
     if entity.flags() & _CLOSED:
         points.append(points[0])
     return _follow(points, bulges, image)
@@ -99,7 +99,7 @@ def _read_ellipse(entity: Entity, image: Affine, reading: Reading) -> Path:
     reading.require_planar([_ZERO, entity.number(31, "0")])
     center, (x, y), ratio = entity.point(10), entity.point(11), entity.number(40)
     if not (x or y) or not ratio:
-        raise FormatError("an axis has no length")
+        raise FormatError("an axis has length zero")
     if entity.plane.a < 0:
         ratio = -ratio
     image = image @ make_affine(x, y, -ratio * y, ratio * x, *center)

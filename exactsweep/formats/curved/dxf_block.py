@@ -86,7 +86,7 @@ class Blocks:
         if name not in self.blocks:
             raise FormatError(f"there is no block {quote(insert.name)}")
         if name in around:
-            raise FormatError(f"block {quote(insert.name)} refers to itself")
+            raise FormatError(f"block {quote(insert.name)} contains itself")
         if len(around) == MAX_DEPTH:
             raise FormatError(f"nested in more than {MAX_DEPTH} blocks")
         if insert.line not in self._maps:

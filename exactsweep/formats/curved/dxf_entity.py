@@ -69,7 +69,7 @@ class Entity:
         """Why the entity is hidden regardless of its layer, or ""."""
         if self._text(_PAPER, "0") == "1":
             return "in paper space"
-        return "made invisible" if self._text(_INVISIBLE, "0") == "1" else ""
+        return "marked invisible" if self._text(_INVISIBLE, "0") == "1" else ""
 
     def numbers(self, code: int) -> list[Fraction]:
         return _read_group(code, [*compress(self.texts, map(code.__eq__, self.codes))])
@@ -200,7 +200,7 @@ def _divide(text: str) -> Iterator[Entity]:
 
 
 def _layers(found: Iterable[Entity]) -> tuple[dict[str, str], set[str]]:
-    hidden = {"DEFPOINTS": "for the points of dimensions"}
+    hidden = {"DEFPOINTS": "for dimension points"}
     unplotted = set()
     for layer in found:
         if layer.kind != "LAYER":

@@ -142,7 +142,7 @@ def _note_gaps(
                 gaps.append((gap, line.shape.place))
     if gaps:
         gap, where = max(gaps)
-        note = f"{count(len(gaps), 'gap')} up to {float(gap):.2g} closed at curves ({where})"
+        note = f"closed {count(len(gaps), 'gap')} at curves, up to {float(gap):.2g} ({where})"
         reading.notes[note] = None
 
 
@@ -175,7 +175,7 @@ class Joints:
         close = [joint for cell in cells for joint in cell]
         if len(close) > _MAX_CROWD:
             raise FormatError(
-                f"more than {_MAX_CROWD} ends within reach of the end {show_point(end)}"
+                f"more than {_MAX_CROWD} line ends near {show_point(end)}; try a smaller --join"
             )
         near = [
             ((p.x - end.x) ** 2 + (p.y - end.y) ** 2, p, k) for k in close for p in [self.points[k]]
@@ -228,7 +228,7 @@ def _outlines(
         named = (line.shape.name for line in joined if line.shape.name is not None)
         shape = start.shape._replace(name=next(named, None))
         if fault and len(joined) == 1 and shape.rule and start.path:
-            reading.notes[f"{shape.place}: open path, closed by its fill"] = None
+            reading.notes[f"{shape.place}: an open path, closed by filling"] = None
             yield order, draw_outline(start.path.closed(), shape, reading)
         elif fault:
             alone = len(joined) == 1 and not start.path
@@ -243,7 +243,7 @@ def _outlines(
 def _fault(line: OpenLine, end: Point, count: int, reading: Reading) -> str:
     if count > 1:
         where = f"{line.shape.place}: {count} ends meet at {show_point(end)}"
-        return f"{where}; outlines that touch need polylines"
+        return f"{where}; draw outlines that touch as polylines"
     exactly = "" if reading.join else " exactly; --join DISTANCE closes small gaps"
     return f"{line.shape.place}: open end at {show_point(end)}: no other end meets it{exactly}"
 

@@ -57,18 +57,20 @@ class Spline(NamedTuple):
                     controls.append(Point(*map(Fraction, inner)))
                 controls.append(points[k + 1])
         except (ArithmeticError, ValueError) as error:
-            raise FormatError(f"no spline runs through its points: {error}") from None
+            raise FormatError(f"no spline through these points: {error}") from None
         ends = [Fraction(0), *accumulate(map(Fraction, lengths))]
         return cls(3, controls, [ends[0], *(u for u in ends for _ in range(3)), ends[-1]])
 
     def require_sound(self) -> None:
         size = len(self.points)
         if not 1 <= self.degree <= MAX_DEGREE:
-            raise FormatError(f"the degree is {self.degree}, not 1 to {MAX_DEGREE}")
+            raise FormatError(f"the degree must be 1 to {MAX_DEGREE}, not {self.degree}")
         if size <= self.degree:
-            raise FormatError(f"{size} control points of degree {self.degree}")
+            raise FormatError(
+                f"{size} control points; degree {self.degree} needs {self.degree + 1}"
+            )
         if len(self.knots) != size + self.degree + 1:
-            raise FormatError(f"{len(self.knots)} knots, not {size + self.degree + 1}")
+            raise FormatError(f"{len(self.knots)} knots, expected {size + self.degree + 1}")
         if any(u > v for u, v in pairwise(self.knots)):
             raise FormatError("the knots are not in order")
         if self.knots[self.degree] == self.knots[size]:

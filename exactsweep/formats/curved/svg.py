@@ -36,7 +36,7 @@ MAX_DEPTH = 32  # of nested uses
 def read_svg(root: Element, reading: Reading, style: Style | None = None) -> list[Candidate]:
     """Find the outlines of an element from `parse_xml`; `style` is that of its document."""
     if name_kind(root) != "svg":
-        raise FormatError(f"line {line(root)}: the root is {quote(root.tag)}, not svg")
+        raise FormatError(f"line {line(root)}: the root element is {quote(root.tag)}, not svg")
     document = Document(root, reading)
     style = style or Style(root)
     if style.ignored:
@@ -131,7 +131,7 @@ def find_reason_hidden(placed: PlacedElement) -> str:
     if name in SHAPES and placed.inherited("visibility", "visible") in _INVISIBLE:
         return f"{name} that is not visible"
     is_hidden = name in DRAWN and placed.style("display") == "none"
-    return f"{name} with display none" if is_hidden else ""
+    return f"{name} with display: none" if is_hidden else ""
 
 
 def _read(shape: PlacedElement, reading: Reading) -> list[Candidate | OpenLine]:
@@ -146,7 +146,7 @@ def _read(shape: PlacedElement, reading: Reading) -> list[Candidate | OpenLine]:
         if reading.dots:
             found = [_draw_dot(path, shape, matrix) or path for path in found]
             if all(map(_is_point, found)):
-                raise OrnamentError("a stroke of no length; only round caps draw a disc")
+                raise OrnamentError("a stroke of length zero; only round caps draw a disc")
         closed = [path for path in found if len(path.points) > 1 and path.is_closed]
         opened = [path for path in found if not path.is_closed]
         # Filling closes open paths, but the ends of a single one may meet other lines.
@@ -209,8 +209,8 @@ def _draw_regions(
     pieces = whole.make_regions(filled or fill(rings, rule, measured=bool(whole.error)))
     if filled is None:
         number = count(len(pieces), "polygon")
-        crossing = "its subpaths intersect"
-        reading.notes[f"{shape.place}: {crossing}: {number} by its fill rule"] = None
+        note = f"{shape.place}: the subpaths intersect; {number} by the {rule} fill rule"
+        reading.notes[note] = None
 
     def find_finer(k: int, tolerance: Fraction) -> Candidate | None:
         return choose_same(
@@ -236,7 +236,7 @@ def _polygon(shape: PlacedElement, matrix: Affine, reading: Reading) -> list[Pat
     reading.allow_vertices(count_decimals(text) // 2)
     points = read_points(text)
     if not points:
-        raise FormatError("points: none")
+        raise FormatError("no points")
     if name_kind(shape.element) == "polygon":
         points.append(points[0])
     return [draw_lines(points, matrix)]

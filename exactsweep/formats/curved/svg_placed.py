@@ -175,7 +175,7 @@ class PlacedElement:
     def _box(self) -> list[Fraction]:
         box = read_decimals(self.element.get("viewBox", ""))
         if len(box) != 4 or box[2] <= 0 or box[3] <= 0:
-            raise FormatError("viewBox: not a corner and two positive sizes")
+            raise FormatError("viewBox must be x, y and two positive sizes")
         return box
 
     def _view(self) -> Affine:
@@ -189,7 +189,7 @@ class PlacedElement:
         sizes = [self._extent("width"), self._extent("height")]
         scales = [size / own for size, own in zip(sizes, (width, height), strict=True) if size]
         if len(scales) < 2:
-            raise FormatError("a view without width or height is not drawn")
+            raise FormatError("no width or height, so nothing is drawn")
         fitted, shares = self._fit(scales)
         rests = [
             share * (scale - own_scale) * own
@@ -206,7 +206,7 @@ class PlacedElement:
         if fit == "none":
             return scales, [Fraction(0), Fraction(0)]
         if (fit[:1], fit[4:5]) != ("x", "Y") or not {fit[1:4], fit[5:]} <= _SHARES.keys():
-            raise FormatError(f"preserveAspectRatio is {quote(fit)}")
+            raise FormatError(f"unknown preserveAspectRatio {quote(fit)}")
         scale = max(scales) if how == "slice" else min(scales)
         return [scale, scale], [_SHARES[fit[1:4]], _SHARES[fit[5:]]]
 
@@ -219,7 +219,7 @@ class PlacedElement:
             down = self.size("height") / height
         fitted, _ = self._fit([across, down])
         if fitted[0] != fitted[1]:
-            raise FormatError("has different horizontal and vertical units")
+            raise FormatError("the horizontal and vertical units differ")
         return fitted[0]
 
     def _extent(self, name: str) -> Fraction:

@@ -33,7 +33,9 @@ def read_transform(text: str) -> Affine:
             raise FormatError(f"{quote(name)} is not a transformation")
         given = read_decimals(numbers)
         if len(given) not in counts:
-            raise FormatError(f"{name} with {len(given)} numbers")
+            raise FormatError(
+                f"{name} takes {' or '.join(map(str, counts))} numbers, not {len(given)}"
+            )
         product = compose(product, make(given))
         place = match.end()
     return product
@@ -43,7 +45,7 @@ def compose(outer: Affine, inner: Affine) -> Affine:
     """Return the map that applies `inner` and then `outer`; reject excessively long numbers."""
     product = outer @ inner
     if any(n.numerator.bit_length() + n.denominator.bit_length() > _MAX_BITS for n in product):
-        raise FormatError("the product of the transformations has numbers that are too long")
+        raise FormatError("the numbers in the product of the transformations are too long")
     return product
 
 

@@ -46,5 +46,5 @@ def read_solution(
 def _polygon(value: JsonNode) -> Data:
     xs, ys = ([one.value for one in (value / axis).each()] for axis in "xy")
     if len(xs) != len(ys):
-        raise FormatError(f"{value.path}: {len(xs)} x and {len(ys)} y")
+        raise FormatError(f"{value.path}: {len(xs)} x and {len(ys)} y coordinates")
     return {"exterior": JsonNode([[x, y] for x, y in zip(xs, ys, strict=True)], value.path).ring}

@@ -41,7 +41,7 @@ def draw_layouts(
     notes += [f"skipped: {one.fault}" for one in drawn if one.fault and one.ornament]
     plain = [one for one in drawn if not one.ornament]
     if not plain:
-        raise FormatError(notes[0] if notes else "no outline is drawn")
+        raise FormatError(notes[0] if notes else "the drawing has no outline")
     remarks = Remarks(notes, notes)
     outlines: list[Candidate] = []
     for one in plain:
@@ -198,7 +198,7 @@ def _find_lookalikes(found: Nested) -> list[str]:
         f"whether {describe_place(one)} is a hole of {describe_place(around)}, or a part on it: "
         f"it has the size of the part {describe_place(part)}"
         for one, around, part in alike[:1]
-    ] + ([f"{len(alike) - 1} more outlines like it"] if len(alike) > 1 else [])
+    ] + ([f"{len(alike) - 1} more like it"] if len(alike) > 1 else [])
 
 
 def _find_artwork(found: Nested) -> list[str]:

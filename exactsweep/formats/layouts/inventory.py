@@ -107,7 +107,10 @@ def compare_inventory(found: FoundLayout, wanted: Sequence[WantedPart]) -> Found
             others.append({**part, "demand": take})
             left[one.name] -= take
             if placed is None:
-                notes.append(f"part {quote(name)} is nearly part {quote(one.name)} of the instance")
+                notes.append(
+                    f"part {quote(name)} is nearly congruent to part {quote(one.name)} in the "
+                    "instance"
+                )
         else:
             exact[name] = one, placed
     taken = {part["id"] for part in others}

@@ -174,7 +174,7 @@ def _allow_rounded(instance: model.NestingInstance, placements: Iterable[Data]) 
             if meant is not None:
                 exact[name, key].add(Fraction(turn) % 360)
                 allowed.append(turn)
-                yield f"item {name}: the turn {turn} is {meant} in single precision"
+                yield f"item {name}: the rotation {turn} is {meant} in single precision"
 
 
 def _is_rounded(degrees: str, written: str) -> bool:

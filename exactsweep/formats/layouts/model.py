@@ -129,7 +129,7 @@ def require_instance(known: NestingInstance | None, kind: str, lacking: str) -> 
 
 def require_within_strip(container: Data, instance: NestingInstance, place: str) -> None:
     for axis, (length, larger) in enumerate(
-        ((instance.width, "wider"), (instance.height, "higher"))
+        ((instance.width, "wider"), (instance.height, "taller"))
     ):
         side = [Fraction(vertex[axis]) for vertex in container["exterior"]]
         if length is not None and side and max(side) - min(side) > length:

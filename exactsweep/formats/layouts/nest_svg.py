@@ -75,7 +75,7 @@ class _NestDrawing:
         found = nest_candidates(outlines) if len(outlines) > 1 else outlines
         if len(found) != 1:
             lines = ", ".join(line(element) for element in elements)
-            raise FormatError(f"line {lines}: {len(found)} outlines, expected one")
+            raise FormatError(f"line {lines}: expected one outline, found {len(found)}")
         return write_rings(found[0])
 
     def motion(self, element: Element) -> Data:
@@ -83,7 +83,7 @@ class _NestDrawing:
         with prefix_errors(placed.place, FormatError):
             match = _MOTION.fullmatch(placed.transform)
         if match is None or not element.attrib.keys().isdisjoint("xy"):
-            raise FormatError(f"{placed.place}: not a translation and a rotation")
+            raise FormatError(f"{placed.place}: expected translate(...) rotate(...)")
         x, y, turn = (format_fraction(read_decimal(number or "0")) for number in match.groups())
         return {"turn": turn, "move": [x, y]}
 

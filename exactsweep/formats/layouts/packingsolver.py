@@ -44,7 +44,7 @@ def read_instance(document: JsonNode, reading: Reading) -> model.NestingInstance
     for k, item in enumerate((document / "item_types").each()):
         shapes = [*(item / "shapes").each()] if item.has("shapes") else [item]
         if len(shapes) != 1:
-            raise FormatError(f"{item.path}: {len(shapes)} shapes, expected one")
+            raise FormatError(f"{item.path}: expected one shape, found {len(shapes)}")
         part = {"id": str(k), **_shape(shapes[0], reading), **_allowed(item, unchecked)}
         copies, few = item.get("copies", "1").whole, item.get("copies_min", "-1").whole
         if copies >= 0:
@@ -132,7 +132,7 @@ def _allowed(item: JsonNode, unchecked: list[str]) -> Data:
         ranges.append(high - low)
     found: Data = {"mirrored": both or bool(mirrored)}
     if any(size and size < 360 for size in ranges):
-        unchecked.append(f"whether turns are in the ranges of {item.path}")
+        unchecked.append(f"whether rotations are in the ranges of {item.path}")
     if any(ranges):
         return found
     found["turns"] = [*map(format_fraction, plain or ([] if mirrored else [Fraction(0)]))]

@@ -45,7 +45,7 @@ def read_layout(path: str, **options: Unpack[LayoutOptions]) -> dict[str, Any]:
     """Read a file with a single layout, like `read_layouts`; return Layout JSON."""
     found = read_layouts(path, **options)
     if len(found) > 1:
-        raise FormatError(f"{show_path(path)}: {len(found)} layouts, not one")
+        raise FormatError(f"{show_path(path)}: expected one layout, found {len(found)}")
     return found[0].data
 
 
@@ -118,7 +118,7 @@ def read_layouts(path: str, **options: Unpack[LayoutOptions]) -> list[model.Foun
             return found
         if choice.isascii() and choice.isdigit() and int(choice) < len(found):
             return [found[int(choice)]]
-        raise FormatError(f"no sheet has the number {quote(choice)}; there are {len(found)}")
+        raise FormatError(f"no sheet has the index {quote(choice)}; there are {len(found)}")
 
 
 def _read_table(
@@ -247,7 +247,7 @@ def _parse(
                     model.require_within_strip(sheet.container, known, "the container")
             return model.make_layouts(sheets, known or drawn, notes)
     if known is not None:
-        raise FormatError("not a solution to an instance")
+        raise FormatError("not a solution to the instance")
     return draw_layouts(text, container, reading)
 
 

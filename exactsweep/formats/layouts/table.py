@@ -112,13 +112,13 @@ def read_table(text: str, parts: Mapping[str, Data], *, radians: bool = False) -
     """
     rows = [*_list_rows(text)]
     if not rows:
-        raise FormatError("a table without rows")
+        raise FormatError("the table has no rows")
     meanings = rows[0].cells.keys()
     if {"angle", "radians"} <= meanings:
         raise FormatError("two columns of angles, in degrees and in radians")
     missing = [name for name in ("x", "y") if name not in meanings]
     if missing:
-        raise FormatError(f"a table of placements without a column {' and '.join(missing)}")
+        raise FormatError(f"the table of placements has no column {' or '.join(missing)}")
     if not parts and "radius" not in meanings:
         raise FormatError("a table of placements; --part FILE reads the outlines of its parts")
     groups: dict[str, list[_Row]] = {}
@@ -160,7 +160,7 @@ def _find_part(row: _Row, parts: Mapping[str, Data]) -> Data:
     if len(parts) == 1 and "part" not in row.cells:
         return next(iter(parts.values()))
     known = ", ".join(quote(one) for one in [*parts][:4])
-    raise FormatError(f"{row.place}: no part has the name {quote(name)}; choose from {known}")
+    raise FormatError(f"{row.place}: unknown part {quote(name)}; choose from {known}")
 
 
 def _read_turn(row: _Row, *, radians: bool) -> str:
@@ -203,7 +203,7 @@ def _list_rows(text: str) -> Iterator[_Row]:
             if any(map(str.strip, row)):
                 line = f"line {reader.line_num}"
                 if len(row) <= max(places.values(), default=0):
-                    raise FormatError(f"{line}: {count(len(row), 'cell')} of {len(head)}")
+                    raise FormatError(f"{line}: {count(len(row), 'cell')}, expected {len(head)}")
                 yield _Row(line, {meaning: row[k] for meaning, k in places.items()}, point)
     except csv.Error as error:
         raise FormatError(f"line {reader.line_num}: {error}") from None
