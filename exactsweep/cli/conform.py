@@ -141,7 +141,7 @@ def conform_command(
     from exactsweep.conform.run.runner import judge_cases
     from exactsweep.corpus import selection
     from exactsweep.corpus.pairs import read_pairs
-    from exactsweep.corpus.shipped import cases, list_summaries, require_start
+    from exactsweep.corpus.shipped import cases, list_summaries, require_prefix
 
     if path is not None and pairs is not None:
         raise click.UsageError("Give either --cases or --pairs.")
@@ -158,7 +158,7 @@ def conform_command(
         given = read_pairs(pairs, **reading)
     if given is None:
         for prefix in wanted.get("prefix", ()):
-            require_start(prefix)
+            require_prefix(prefix)
     if given is None and sys.stderr is not None and sys.stderr.isatty():
         total = sum(1 for _ in list_summaries(**wanted))
     chosen = cases(**wanted) if given is None else selection.select(given, **wanted)

@@ -16,7 +16,7 @@ from exactsweep.corpus import export, publish
 from exactsweep.corpus.case_json import case_to_line
 from exactsweep.corpus.describe import describe
 from exactsweep.corpus.layouts import find_layout_case, find_path_case, layout_cases, path_cases
-from exactsweep.corpus.shipped import list_ids, list_summaries, read_schema, require_start
+from exactsweep.corpus.shipped import list_ids, list_summaries, read_schema, require_prefix
 from exactsweep.words import count
 
 
@@ -94,7 +94,7 @@ def list_command(names: tuple[str, ...], prefix: str | None, filters: dict[str, 
             rows = (
                 (case.id, case.kind, f"{case.size:3}", case.title)
                 for start in starts
-                for case in list_summaries(prefix=require_start(start, *_LISTS), **filters)
+                for case in list_summaries(prefix=require_prefix(start, *_LISTS), **filters)
             )
     write(_columns([*rows]), "-")
 
@@ -260,7 +260,7 @@ def _choose(names: tuple[str, ...], filters: dict[str, Any]) -> Iterator[corpus.
     found: list[Iterable[corpus.Case]] = [
         [corpus.find_case(name)]
         if name in ids or name.startswith("gen-")
-        else corpus.cases(prefix=require_start(name, *_LISTS), **filters)
+        else corpus.cases(prefix=require_prefix(name, *_LISTS), **filters)
         for name in names or ("",)
     ]
     return chain.from_iterable(found)

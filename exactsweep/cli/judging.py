@@ -183,7 +183,7 @@ def _sum_up(
     name: str, found: FoundLayout, judgement: Judgement, accept: Fraction | None
 ) -> LayoutRow:
     from exactsweep.layout.report import ReportContext, rank_faults
-    from exactsweep.layout.report.table import list_measures, tell_fault
+    from exactsweep.layout.report.table import list_measures, describe_fault
     from exactsweep.text.report import approximate, take_root
 
     context = ReportContext(found.unchecked, found.places, found.unit, accept)
@@ -191,7 +191,7 @@ def _sum_up(
     facts = list_measures(judgement, ranked, context)
     worst, nearest = "", judgement.distance
     if ranked:
-        worst = tell_fault(judgement, ranked[0], context, repaired=False)[1]
+        worst = describe_fault(judgement, ranked[0], context, repaired=False)[1]
         if not worst and ranked[0].fault.kind == "outside":
             worst = "no free position at this rotation"
     elif nearest is not None:

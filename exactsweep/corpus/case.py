@@ -5,7 +5,7 @@ from dataclasses import dataclass, replace
 from typing import Self, get_args
 
 from exactsweep.corpus.answered import AnsweredPair, make_shape
-from exactsweep.corpus.facts import find_facts
+from exactsweep.corpus.facts import find_flags
 from exactsweep.geometry.frame import Kind
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.geometry.reading import read_point
@@ -64,7 +64,7 @@ class Case(AnsweredPair):
             directrix: D, a Polygon, a Region or vertices as for `Polygon`, which are kept.
             generatrix: G, in any of these forms.
             reference: the reference point of G.
-            flags: flags in addition to those of `find_facts`.
+            flags: flags in addition to those of `find_flags`.
             directrix_holes: the holes of D, unless it is a Region.
             generatrix_holes: the holes of G, unless it is a Region.
             inner_fit: whether to compute the positions of G inside D for any class.
@@ -111,19 +111,19 @@ class Case(AnsweredPair):
             inner_exact_fits=() if inside is None else inside.exact_fits,
             note=note,
         )
-        return replace(case, flags=tuple(sorted({*flags, *find_facts(case)})))
+        return replace(case, flags=tuple(sorted({*flags, *find_flags(case)})))
 
 
 def read_given_rings(shape: Given, holes: Iterable[Given] = ()) -> tuple[Loop, ...]:
     if isinstance(shape, Region):
         return shape.rings
-    return (given_ring(shape), *map(given_ring, holes))
+    return (read_given_ring(shape), *map(read_given_ring, holes))
 
 
-def given_ring(vertices: Given) -> Loop:
+def read_given_ring(vertices: Given) -> Loop:
     """Read vertices as given, but drop a last one that repeats the first.
 
-    >>> len(given_ring([(0, 0), (1, 0), (1, 0), (0, 1), (0, 0)]))
+    >>> len(read_given_ring([(0, 0), (1, 0), (1, 0), (0, 1), (0, 0)]))
     4
     """
     if isinstance(vertices, (Polygon, Region)):

@@ -19,13 +19,13 @@ TINY = Fraction(1, 2**30)
 MANY = 256
 
 
-def find_facts(case: AnsweredPair) -> set[str]:
+def find_flags(case: AnsweredPair) -> set[str]:
     """Compute the flags of a pair, which `exactsweep.corpus.notes` explains.
 
     >>> from exactsweep.corpus import Case
     >>> square = [(0, 0), (1, 0), (1, 1), (0, 1)]
     >>> case = Case.of("mine-1", "a square around itself", square, square)
-    >>> sorted(find_facts(case))
+    >>> sorted(find_flags(case))
     ['identical', 'inverse', 'parallel-edges', 'vertical-edge']
     """
     given = case.directrix_rings, case.generatrix_rings

@@ -27,8 +27,8 @@ from exactsweep.words import suggest
 class _PairForm(NamedTuple):
     """Names of the members of a JSON document with a pair."""
 
-    stays: str
-    moves: str
+    directrix_key: str
+    generatrix_key: str
     others: tuple[str, ...]
 
 
@@ -106,7 +106,7 @@ def _is_pair(text: str | bytes) -> bool:
     except (ValueError, RecursionError):
         return False
     return isinstance(document, dict) and any(
-        {form.stays, form.moves} & document.keys() for form in _FORMS
+        {form.directrix_key, form.generatrix_key} & document.keys() for form in _FORMS
     )
 
 
@@ -120,15 +120,17 @@ def _read_document(text: str, name: str) -> Case:
 
 
 def _make_pair(document: dict[str, object], name: str) -> Case:
-    form = next((one for one in _FORMS if {one.stays, one.moves} & document.keys()), None)
+    form = next(
+        (one for one in _FORMS if {one.directrix_key, one.generatrix_key} & document.keys()), None
+    )
     if form is None:
-        roles = ", ".join(f"{one.stays} and {one.moves}" for one in _FORMS)
+        roles = ", ".join(f"{one.directrix_key} and {one.generatrix_key}" for one in _FORMS)
         raise FormatError(f"$ is not a pair; it needs one of: {roles}")
-    members = (form.stays, form.moves, "reference", "id", *form.others)
+    members = (form.directrix_key, form.generatrix_key, "reference", "id", *form.others)
     for member in document:
         if member not in members:
             raise FormatError(f"$ has {quote(member)}{suggest(member, members)}")
-    for role in (form.stays, form.moves):
+    for role in (form.directrix_key, form.generatrix_key):
         if role not in document:
             raise FormatError(f"$ has no {role}")
     if document.get("placed"):
@@ -137,10 +139,10 @@ def _make_pair(document: dict[str, object], name: str) -> Case:
     if not isinstance(id, str):
         raise FormatError(f"$.id is {exact_json.describe_kind(id)}, not a string or a number")
     (reference,) = exact_json.read_vertices([document.get("reference", ["0", "0"])], "$.reference")
-    d, g = (_read_shape(document, role) for role in (form.stays, form.moves))
-    if form.moves == "b":
+    d, g = (_read_shape(document, role) for role in (form.directrix_key, form.generatrix_key))
+    if form.generatrix_key == "b":
         g = [[Point(-x, -y) for x, y in ring] for ring in g]
-    return _make_case(id, d, g, reference, inner_fit=form.stays == "container")
+    return _make_case(id, d, g, reference, inner_fit=form.directrix_key == "container")
 
 
 def _read_shape(document: dict[str, object], role: str) -> PointRings:

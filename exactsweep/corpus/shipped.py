@@ -115,7 +115,7 @@ def read_schema() -> str:
     return files("exactsweep.corpus").joinpath("schema.json").read_text(encoding="utf-8")
 
 
-def require_start(name: str, *others: str) -> str:
+def require_prefix(name: str, *others: str) -> str:
     """Require that some id has a prefix; otherwise suggest another one."""
     ids = list_ids()
     if not any(id.startswith(name) for id in ids):

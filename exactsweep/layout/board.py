@@ -26,7 +26,7 @@ from exactsweep.layout.solid import (
     make_form,
     make_rounded_form,
     measure_slack,
-    put_on_lattice,
+    scale_to_int,
 )
 from exactsweep.numbers.number import Point
 
@@ -59,7 +59,7 @@ class Board:
     def _turn(self, k: int, bits: int) -> tuple[int, MatrixRows]:
         rows = self.layout.placements[k].rows(bits)
         denominator = lcm(*(number.denominator for number in rows))
-        a, b, c, d = (put_on_lattice(number, denominator) for number in rows)
+        a, b, c, d = (scale_to_int(number, denominator) for number in rows)
         return denominator, (a, b, c, d)
 
     @cached_property
@@ -109,7 +109,7 @@ class Board:
         slack = error = self.layout.part_by_id[part].error
         if turn.exact is None:
             slack += measure_slack(self._shapes[part], turn.near(bits).error)
-        place = put_on_lattice(x, scale), put_on_lattice(y, scale)
+        place = scale_to_int(x, scale), scale_to_int(y, scale)
         return Solid(form, *place, scale, slack, error)
 
     @cached_property
@@ -259,7 +259,7 @@ class Board:
                 found[placed[k]].append(j - len(placed) + first)
         return {k: sorted(walls) for k, walls in found.items()}
 
-    def find_walls(self) -> Iterator[tuple[int, list[int]]]:
+    def list_obstacles(self) -> Iterator[tuple[int, list[int]]]:
         """Yield each placement with the obstacles in `around` that may be too close."""
         outside = range(self.first_defect)
         for k, defects in self.find_defects(self.greatest_margin).items():

@@ -29,7 +29,7 @@ from exactsweep.layout.nearest import find_gap
 from exactsweep.layout.pieces import bound_piece, find_normal
 from exactsweep.layout.reading import LayoutError
 from exactsweep.layout.solid import LatticeBox, LatticeForm, RoundedForm, Solid, share_scale
-from exactsweep.layout.verdict import MOST_BITS, find_witness
+from exactsweep.layout.verdict import MAX_BITS, find_witness
 from exactsweep.numbers.digits import to_plain
 from exactsweep.numbers.number import Fit, Point
 
@@ -52,7 +52,7 @@ def write_certificate(board: Board, faults: Sequence[Fault]) -> dict[str, Any]:
     bits = TURN_BITS
     while True:
         found = _prove_faults(board, faults, bits) if faults else _prove_valid(board, bits)
-        if found is not None or bits >= MOST_BITS:
+        if found is not None or bits >= MAX_BITS:
             break
         bits *= 2
     if not found:
@@ -71,7 +71,7 @@ def write_certificate(board: Board, faults: Sequence[Fault]) -> dict[str, Any]:
 
 def _prove_valid(board: Board, bits: int) -> dict[str, Any] | None:
     apart: list[list[Any]] = []
-    for entry in chain(_part_placements(board, bits), _part_obstacles(board, bits)):
+    for entry in chain(_separate_placements(board, bits), _separate_obstacles(board, bits)):
         if entry is None:
             return None
         apart.append(entry)
@@ -79,13 +79,13 @@ def _prove_valid(board: Board, bits: int) -> dict[str, Any] | None:
     is_polygon = isinstance(board.layout.container, Region)
     return {
         "frame": [*map(Fraction, board.frame)] if is_polygon else None,
-        "pieces": [_leave(form, scale) for scale, form in forms],
+        "pieces": [_list_pieces(form, scale) for scale, form in forms],
         "outside": _list_outside(board),
         "apart": apart,
     }
 
 
-def _part_placements(board: Board, bits: int) -> Iterator[list[Any] | None]:
+def _separate_placements(board: Board, bits: int) -> Iterator[list[Any] | None]:
     """Yield an entry for each pair of close placements, or for each close pair of their pieces."""
     spacing = board.layout.spacing
     for k, j in board.list_near(spacing):
@@ -99,11 +99,11 @@ def _part_placements(board: Board, bits: int) -> Iterator[list[Any] | None]:
             if normal is not None:
                 yield [k, -1, j, -1, *map(str, normal)]
                 continue
-        for i, h, found in _part_pieces(a, b, distance):
+        for i, h, found in _separate_pieces(a, b, distance):
             yield found and [k, i, j, h, *map(str, found)]
 
 
-def _part_obstacles(board: Board, bits: int) -> Iterator[list[Any] | None]:
+def _separate_obstacles(board: Board, bits: int) -> Iterator[list[Any] | None]:
     """Yield an entry for each piece of an obstacle and each close piece of a placement."""
     names = _name_obstacles(board)
     for k, defects in board.find_defects(board.greatest_margin).items():
@@ -112,7 +112,7 @@ def _part_obstacles(board: Board, bits: int) -> Iterator[list[Any] | None]:
             a, b = share_scale(board.around[wall], board.solid(k, bits))
             distance = (board.required(wall) + a.slack + b.slack) * a.scale
             name, first = names[wall]
-            for i, h, found in _part_pieces(a, b, distance):
+            for i, h, found in _separate_pieces(a, b, distance):
                 yield found and [name, first + i, k, h, *map(str, found)]
 
 
@@ -128,7 +128,7 @@ def _count_outside(board: Board) -> int:
     return board.first_defect + len(board.holes)
 
 
-def _part_pieces(
+def _separate_pieces(
     a: Solid, b: Solid, distance: Fraction
 ) -> Iterator[tuple[int, int, IntVertex | None]]:
     """Yield the pairs of pieces that need a normal, with the normal if found."""
@@ -180,7 +180,7 @@ def _prove_faults(board: Board, faults: Sequence[Fault], bits: int) -> list[dict
                 wall = -1 if fault.wall < first else first - fault.wall - 2
                 bodies = [*fault.placements, wall][:2]
                 proved.append({"kind": fault.kind, "placements": bodies, "point": point})
-            elif bits < MOST_BITS:
+            elif bits < MAX_BITS:
                 return None
     return proved
 
@@ -206,12 +206,12 @@ def _find_point(board: Board, fault: Fault, bits: int) -> Point | None:
 
 def _list_outside(board: Board) -> list[_PieceRings]:
     number = _count_outside(board)
-    pieces = [_leave(wall.form, wall.scale) for wall in board.around]
+    pieces = [_list_pieces(wall.form, wall.scale) for wall in board.around]
     outside = [piece for wall in pieces[:number] for piece in wall or ()]
     return [outside or None, *pieces[number:]]
 
 
-def _leave(form: LatticeForm | RoundedForm, scale: int) -> _PieceRings:
+def _list_pieces(form: LatticeForm | RoundedForm, scale: int) -> _PieceRings:
     """Return the pieces of a polygon; None for a rounded form, whose pieces are in the layout."""
     if not isinstance(form, LatticeForm):
         return None

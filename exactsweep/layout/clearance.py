@@ -16,7 +16,7 @@ from exactsweep.layout.rounded import HullDistance, bound_root, measure_hulls, s
 from exactsweep.layout.solid import OutsideForm, Solid, meet
 from exactsweep.numbers.number import Point, Rational, Vertex
 
-_BITS, _MOST_HALVINGS = 64, 1024
+_BITS, _MAX_HALVINGS = 64, 1024
 
 
 class Clearance(NamedTuple):
@@ -96,7 +96,7 @@ def list_clearances(a: Solid, b: Solid, within: Fraction | None) -> Iterator[Cle
             found = measure_hulls(hull, other)
             radii = radius + further
             if reach is None or found.n <= sign_square(radii + reach) * found.d:
-                yield _leave(found, radii, scale, (i, j))
+                yield _make_clearance(found, radii, scale, (i, j))
 
 
 def _list_outside(a: Solid, b: Solid, reach: Rational | None) -> Iterator[Clearance]:
@@ -108,10 +108,12 @@ def _list_outside(a: Solid, b: Solid, reach: Rational | None) -> Iterator[Cleara
             n, d, ends, (x, y) = measure_hulls([point], hull)
             found = HullDistance(-n, d, (point, ends[1] if ends else point), (x, y))
             if reach is None or -n <= sign_square(radii + reach) * d:
-                yield _leave(found, radii, a.scale, (i, 0))
+                yield _make_clearance(found, radii, a.scale, (i, 0))
 
 
-def _leave(found: HullDistance, radii: Rational, scale: int, pieces: tuple[int, int]) -> Clearance:
+def _make_clearance(
+    found: HullDistance, radii: Rational, scale: int, pieces: tuple[int, int]
+) -> Clearance:
     square = Fraction(found.n) / (found.d * scale * scale)
     return Clearance(square, Fraction(radii) / scale, found, pieces)
 
@@ -139,10 +141,10 @@ def _find_inside(a: Solid, b: Solid, found: Clearance) -> Vertex | None:
     (i, j), scale = found.pieces, a.scale
     (hull, radius), (other, further) = a.rounded[i], b.rounded[j]
     room, room_beyond = radius - a.slack * scale, further - b.slack * scale
-    points = found.hulls.points or (_find_meeting(hull, other),) * 2
+    points = found.hulls.points or (_find_common_center(hull, other),) * 2
     if room > 0 and room_beyond > 0:
         share = Fraction(room) / (room + room_beyond)
-        return _go(points[0], points[1], share)
+        return _interpolate(points[0], points[1], share)
     if room <= 0 and room_beyond <= 0:
         common = find_common_point(hull, other)
         ends: Iterator[Vertex] = iter([common] if common else [])
@@ -196,12 +198,12 @@ def _walk(
 
 def _approach(start: Vertex, goal: Vertex) -> Iterator[Vertex]:
     share = Fraction(1)
-    for _ in range(_MOST_HALVINGS):
-        yield _go(start, goal, share)
+    for _ in range(_MAX_HALVINGS):
+        yield _interpolate(start, goal, share)
         share /= 2
 
 
-def _go(start: Vertex, goal: Vertex, share: Fraction) -> Vertex:
+def _interpolate(start: Vertex, goal: Vertex, share: Fraction) -> Vertex:
     return (
         start[0] + share * (goal[0] - start[0]),
         start[1] + share * (goal[1] - start[1]),
@@ -222,13 +224,13 @@ def _find_middle(hull: Sequence[Vertex]) -> Vertex:
     return Fraction(sum(xs)) / len(xs), Fraction(sum(ys)) / len(ys)
 
 
-def _find_meeting(one: Sequence[Vertex], other: Sequence[Vertex]) -> Vertex:
+def _find_common_center(one: Sequence[Vertex], other: Sequence[Vertex]) -> Vertex:
     if len(one) > len(other):
         one, other = other, one
     if len(other) == 2:
         (p, q), (a, b) = one, other
         before, after = orientation(a, b, p), orientation(a, b, q)
-        return _go(p, q, Fraction(before) / (before - after))
+        return _interpolate(p, q, Fraction(before) / (before - after))
     common: list[Vertex] = [*one]
     for a, b in zip(other, (*other[1:], other[0]), strict=True):
         common = [*clip(common, [orientation(a, b, p) for p in common])]

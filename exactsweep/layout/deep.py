@@ -21,7 +21,7 @@ from exactsweep.layout.solid import LatticeForm, Solid
 from exactsweep.numbers.number import Edge, Point, Rational, Vertex
 
 # Maximum number of chords to test, longest first, and of centering moves per chord.
-_MOST_CHORDS, _MOST_MOVES = 32, 2
+_MAX_CHORDS, _MAX_MOVES = 32, 2
 
 _ChordEnds = tuple[Rational, Rational]
 _HorizontalChord = tuple[Rational, Rational, Rational]
@@ -35,9 +35,9 @@ def find_deep_point(a: Solid, b: Solid) -> Point | None:
     boundary = find_common_boundary(_list_rings(a), _list_rings(b))
     least = 2 * min(a.slack, b.slack) * a.scale
     lines = (line for line in _list_lines(boundary) if line[1] - line[0] > least)
-    for left, right, y in nlargest(_MOST_CHORDS, lines, key=lambda line: line[1] - line[0]):
+    for left, right, y in nlargest(_MAX_CHORDS, lines, key=lambda line: line[1] - line[0]):
         point: Vertex = (_halve(left, right), y)
-        for k in range(_MOST_MOVES + 1):
+        for k in range(_MAX_MOVES + 1):
             if _is_deep(point, a) and _is_deep(point, b):
                 return a.leave(*point)
             # The middle of a chord may be near its own line: center it across.

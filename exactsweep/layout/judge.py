@@ -176,7 +176,7 @@ def _judge_pairs(board: Board, contacts: list[tuple[int, int]]) -> Iterator[Faul
 def _judge_container(board: Board) -> Iterator[Fault]:
     """Yield the worst fault of each placement with the outside and the defects."""
     solid = board.solid
-    for k, walls in board.find_walls():
+    for k, walls in board.list_obstacles():
         worst: list[tuple[Fraction, Fault]] = []
         for wall in walls:
             fixed = board.around[wall]

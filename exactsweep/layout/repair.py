@@ -27,7 +27,7 @@ from exactsweep.numbers.number import ORIGIN, Edge, Point
 from exactsweep.sweep import free_positions, inner_fit_polygon, no_fit_polygon
 
 _SIDES, _STEPS, _DIGITS, _BITS = 32, 30, (6, 9, 12), 64
-_MOST_STEPS = 8
+_MAX_STEPS = 8
 # For radii below this share of the part, a square is precise enough.
 _TINY = Fraction(1, 10**6)
 
@@ -101,7 +101,7 @@ def make_judge(board: Board, placements: Sequence[int], bits: int) -> Callable[[
             pairs = [(moved(partial(board.solid, placements[0])), board.layout.spacing)]
         else:
             pairs = [
-                (moved(partial(_give, wall)), board.required(k))
+                (moved(partial(_return_solid, wall)), board.required(k))
                 for k, wall in enumerate(board.around)
             ]
         for pair, required in pairs:
@@ -113,7 +113,7 @@ def make_judge(board: Board, placements: Sequence[int], bits: int) -> Callable[[
     return is_free
 
 
-def _give(solid: Solid, bits: int) -> Solid:
+def _return_solid(solid: Solid, bits: int) -> Solid:
     return solid
 
 
@@ -158,7 +158,7 @@ def _find_rounded_move(
     else:
         return None
     at, is_outside = board.layout.placements[k].move, len(placements) < 2
-    for _ in range(_MOST_STEPS):
+    for _ in range(_MAX_STEPS):
         part = board.solid_at(k, Point(at.x + move.x, at.y + move.y), bits)
         pair = share_scale(part, fixed) if is_outside else share_scale(fixed, part)
         found = find_clearance(*pair)

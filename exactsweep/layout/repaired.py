@@ -35,7 +35,7 @@ _MORE, _NEARLY = Fraction(1, 2**7), Fraction(1, 2**3)
 _DEEP = Fraction(1, 2**6)
 # Other pieces within this multiple of the deepest overlap must stay apart.
 _REACH = 8
-_MOST_FAULTS = 2000
+_MAX_FAULTS = 2000
 # Beyond this number of vertex pairs, a repair is faster than a comparison of pieces.
 _MOST = 10**4
 _MOVABLE = {"overlap", "outside", "too close", "undecided"}
@@ -81,7 +81,7 @@ def repair_layout(judgement: Judgement) -> RepairedLayout | None:
         if judgement.valid:
             break
         faults = judgement.faults
-        if len(faults) > _MOST_FAULTS or not all(fault.kind in _MOVABLE for fault in faults):
+        if len(faults) > _MAX_FAULTS or not all(fault.kind in _MOVABLE for fault in faults):
             return None
         if k == _ROUNDS:
             judgement = first
@@ -118,19 +118,23 @@ def _move(layout: Layout, moves: dict[int, Point]) -> Layout:
 def _list_conditions(judgement: Judgement) -> tuple[list[_Condition], list[_Condition]]:
     """List the conditions of faults and, if none is deep, those of other near pieces."""
     board, faults = judgement._board, judgement.faults
-    found = [one for f in faults for one in _part_pieces(board, f.placements, Fraction(0))]
+    found = [
+        one for f in faults for one in _list_piece_conditions(board, f.placements, Fraction(0))
+    ]
     longest = max((one.length for one in found), default=board.grain)
     if longest > board.grain * _DEEP:
-        return [*chain.from_iterable(map(_follow_repair, faults))], []
+        return [*chain.from_iterable(map(_use_repair, faults))], []
     reach = _REACH * longest
     near: list[tuple[int, ...]] = [*board.list_near(board.layout.spacing + reach)]
     near += ((k,) for k in board.placed)
     faulty = {fault.placements for fault in faults}
-    others = (_part_pieces(board, at, reach) for at in near if at not in faulty)
+    others = (_list_piece_conditions(board, at, reach) for at in near if at not in faulty)
     return found, [*chain.from_iterable(others)]
 
 
-def _part_pieces(board: Board, at: tuple[int, ...], reach: Fraction) -> Iterator[_Condition]:
+def _list_piece_conditions(
+    board: Board, at: tuple[int, ...], reach: Fraction
+) -> Iterator[_Condition]:
     """Yield the conditions of near pieces of two placements, or of one and the obstacles."""
     k = at[-1]
     walls = range(len(board.around)) if len(at) < 2 else ()
@@ -145,22 +149,22 @@ def _part_pieces(board: Board, at: tuple[int, ...], reach: Fraction) -> Iterator
         for one in list_clearances(*pair, needed + reach):
             x, y = one.hulls.normal
             length = needed - one.bound(up=False)
-            yield _aim(at, Fraction(x), Fraction(y), length)
+            yield _make_condition(at, Fraction(x), Fraction(y), length)
 
 
 def _count(solid: Solid) -> int:
     return sum(len(points) for points, _ in solid.form.rounded)
 
 
-def _follow_repair(fault: Fault) -> Iterator[_Condition]:
+def _use_repair(fault: Fault) -> Iterator[_Condition]:
     move = fault.move
     if move and move != ORIGIN:
         size = max(map(abs, move))
         length = size * Fraction(hypot(move.x / size, move.y / size))
-        yield _aim(fault.placements, *move, length)
+        yield _make_condition(fault.placements, *move, length)
 
 
-def _aim(at: tuple[int, ...], x: Fraction, y: Fraction, length: Fraction) -> _Condition:
+def _make_condition(at: tuple[int, ...], x: Fraction, y: Fraction, length: Fraction) -> _Condition:
     size = max(abs(x), abs(y))
     a, b = float(x / size), float(y / size)
     norm = hypot(a, b)

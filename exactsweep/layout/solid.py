@@ -187,7 +187,7 @@ def make_rounded_form(
     return scale, kind(rounded)
 
 
-def put_on_lattice(value: Fraction, scale: int) -> int:
+def scale_to_int(value: Fraction, scale: int) -> int:
     n, d = value.as_integer_ratio()
     whole, rest = divmod(scale, d)
     # A number off the lattice remains a Fraction.

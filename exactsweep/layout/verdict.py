@@ -26,7 +26,7 @@ from exactsweep.layout.nearest import find_gap
 from exactsweep.layout.solid import Solid, meet, share_scale
 from exactsweep.numbers.number import Point
 
-MOST_BITS = 256  # the maximum precision of rational rotations
+MAX_BITS = 256  # the maximum precision of rational rotations
 
 # Rotations are precise enough once the slack of curves is this many times theirs, by (3).
 _SHARE = 1000
@@ -51,7 +51,7 @@ def judge_pair(refine: Refine, bits: int, spacing: Fraction) -> PairVerdict:
         a, b = share_scale(*refine(bits))
         found = _decide(a, b, bits, spacing)
         turns = found.slack - found.error
-        if found.too_close is not None or bits >= MOST_BITS or turns * _SHARE <= found.error:
+        if found.too_close is not None or bits >= MAX_BITS or turns * _SHARE <= found.error:
             return found
         bits *= 2
 

@@ -19,7 +19,7 @@ FOLDER = Path(__file__).parent
 _NAMES = ("gallery", "tour", "sweeps", "paper", "judging", "layouts")
 
 # Longer outputs, such as the interactive page, are not stored.
-_MOST_STORED = 60_000
+_MAX_STORED = 60_000
 
 
 @explain_type_errors
@@ -118,7 +118,7 @@ def _show(value: object) -> dict[str, str]:
     found = {}
     for kind, method in (("text/html", "_repr_html_"), ("image/svg+xml", "_repr_svg_")):
         text = getattr(value, method, lambda: None)()
-        if text is not None and len(text) <= _MOST_STORED:
+        if text is not None and len(text) <= _MAX_STORED:
             found[kind] = text
     return found | {"text/plain": repr(value)}
 

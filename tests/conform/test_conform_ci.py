@@ -15,7 +15,7 @@ from judged import CONVEX, CORRECT, EXAMPLES, FAULTY, SLOT, SQUARE
 
 from exactsweep.conform import conform
 from exactsweep.conform.judge.verdict import Verdict
-from exactsweep.conform.report.ci import MOST_ANNOTATIONS, write_annotations, write_badge
+from exactsweep.conform.report.ci import MAX_ANNOTATIONS, write_annotations, write_badge
 from exactsweep.conform.report.html import write_html
 from exactsweep.conform.report.unit_test import guess_language, write_unit_test
 from exactsweep.corpus import Case, cases
@@ -51,7 +51,7 @@ def test_annotations_are_lines_of_the_worst_faults() -> None:
 
     run = conform(answer, cases(max_size=9), name="mine")
     lines = write_annotations(run).splitlines()
-    assert len(lines) == MOST_ANNOTATIONS
+    assert len(lines) == MAX_ANNOTATIONS
     pattern = r"::error title=[\w-]+ crash::ValueError: 100%25 of ::error:: x*(%0Aand \d+ more.*)?"
     assert all(re.fullmatch(pattern, line) for line in lines)
     run = conform(lambda d, g, r: d, CASES, name="a,b: c")

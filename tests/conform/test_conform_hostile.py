@@ -115,7 +115,7 @@ def test_a_process_that_continues_after_bye_is_killed_and_reported(
     kind: str, mark: str, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     seconds = 600 if kind == "speaks-after-bye" else 0.3
-    monkeypatch.setattr("exactsweep.conform.run.process.TO_END", seconds)
+    monkeypatch.setattr("exactsweep.conform.run.process.EXIT_SECONDS", seconds)
     peer = ProcessPeer(Terms([*HOSTILE, kind, mark]))
     assert judge_case(peer, CASE).verdict == "unsupported"
     assert peer.close() == AFTER_BYE[kind]

@@ -15,7 +15,7 @@ from exactsweep.conform.run.fault import name_fault
 from exactsweep.conform.run.outcome import judge_case
 from exactsweep.conform.run.process import ProcessPeer, Terms
 from exactsweep.conform.run.protocol import Hello
-from exactsweep.conform.run.run import MOST_FAULTS, SHOWN
+from exactsweep.conform.run.run import MAX_FAULTS, SHOWN
 from exactsweep.corpus import Case
 
 MIB = 2**20
@@ -80,14 +80,14 @@ def test_six_crashes_are_distinguished_and_shrunk(tmp_path: Path) -> None:
 
 def test_faults_without_end_are_bounded() -> None:
     report = Run(Hello("mine"))
-    for k in range(3 * MOST_FAULTS):
+    for k in range(3 * MAX_FAULTS):
         words = "".join(chr(ord("a") + int(digit)) for digit in str(k))
         fault = name_fault(Verdict.CRASH, f"says: {words}")
         report.add(Outcome(str(k), "CC", (), Verdict.CRASH, words, fault))
     *_, others = sorted(report.list_faults(), key=lambda fault: fault.count)
     assert (others.name, others.count, len(others.kept)) == (
         "crash: others",
-        2 * MOST_FAULTS,
+        2 * MAX_FAULTS,
         SHOWN,
     )
 

@@ -116,7 +116,7 @@ def test_a_smaller_case_with_another_fault_is_dropped() -> None:
     run = Run(Hello("mine"))
     case: dict[str, Any] = {"directrix": [], "generatrix": []}
     run.add(Outcome("a", "CC", (), Verdict.CRASH, "why", "crash: why", case=case))
-    run.add_smaller("a", Outcome("a-shrunk", "CC", (), Verdict.CRASH, "what", "crash: what"))
+    run.add_shrunk("a", Outcome("a-shrunk", "CC", (), Verdict.CRASH, "what", "crash: what"))
     assert run.shrunk == {}
-    run.add_smaller("a", Outcome("a-shrunk", "CC", (), Verdict.CRASH, "why", "crash: why"))
+    run.add_shrunk("a", Outcome("a-shrunk", "CC", (), Verdict.CRASH, "why", "crash: why"))
     assert set(run.shrunk) == {"a"}

@@ -183,7 +183,7 @@ def test_a_slow_comparison_is_stopped(monkeypatch: pytest.MonkeyPatch) -> None:
         while True:
             pass
 
-    monkeypatch.setattr(judging, "TO_COMPARE", 0.05)
+    monkeypatch.setattr(judging, "COMPARE_SECONDS", 0.05)
     monkeypatch.setattr("exactsweep.conform.run.outcome.compare", endless)
     peer: Any = CallablePeer(exact, Hello("mine"))
     outcome = judging.judge_case(peer, THIRDS)

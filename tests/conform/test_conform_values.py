@@ -84,7 +84,7 @@ def test_other_values_are_unchanged() -> None:
 
 
 def test_an_endless_answer_ends(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("exactsweep.conform.run.peer._MOST_ITEMS", 1000)
+    monkeypatch.setattr("exactsweep.conform.run.peer._MAX_ITEMS", 1000)
     assert judge(endless()).verdict == "malformed"
 
 

@@ -64,7 +64,7 @@ def scatter(amount: float) -> list[tuple[float, float]]:
 def test_a_large_noisy_answer_is_judged(
     amount: float, verdict: str, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(comparing, "MOST_MEASURED", 600)
+    monkeypatch.setattr(comparing, "MAX_MEASURED", 600)
     found = judge(scatter(amount), numbers="binary64")
     assert found.verdict == verdict
     assert found.distance_squared is None
@@ -79,7 +79,7 @@ def test_loops_too_large_to_compare_are_wrong(k: int, monkeypatch: pytest.Monkey
     ring += [(low.x - k, high.y + k)]
     sound = judge(ring).verdict
     assert sound == ("conservative" if k == 1 else "wrong")
-    monkeypatch.setattr(comparing, "MOST_MEASURED", 3)
+    monkeypatch.setattr(comparing, "MAX_MEASURED", 3)
     assert judge(ring).verdict == sound
     for work in (0, 4):
         monkeypatch.setattr(region, "MAX_WORK", work)
@@ -122,7 +122,7 @@ def test_of_very_many_edges_neither_distance_nor_area_is_measured(
     far = [[9, 9], [10, 9], [9, 10]]
     small = judge(far)
     assert small.area == CASE.trajectory.area + Fraction(1, 2)
-    monkeypatch.setattr(comparing, "MOST_MEASURED", 3)
+    monkeypatch.setattr(comparing, "MAX_MEASURED", 3)
     large = judge(far)
     assert (small.verdict, large.verdict) == ("wrong", "wrong")
     assert (large.distance_squared, large.area) == (None, None)

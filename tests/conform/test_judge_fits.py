@@ -7,7 +7,7 @@ import pytest
 from strategies import points
 
 from exactsweep.conform.judge.compare import compare
-from exactsweep.conform.judge.fits import _places, _unite_to_one
+from exactsweep.conform.judge.fits import _are_mergeable, _places
 from exactsweep.conform.judge.verdict import Verdict
 from exactsweep.conform.judge.witness import NAME, at_position
 from exactsweep.corpus import Case
@@ -44,7 +44,7 @@ def test_a_point_unites_with_the_end_of_a_segment_but_segments_do_not_at_an_end(
         ((low, middle), (aside, aside), False),
     ]:
         for a, b in ((one, other), (one[::-1], other), (one, other[::-1])):
-            assert _unite_to_one(a, b) == _unite_to_one(b, a) == united
+            assert _are_mergeable(a, b) == _are_mergeable(b, a) == united
 
 
 def test_a_short_overlap_on_a_long_segment_has_a_place() -> None:

@@ -11,7 +11,7 @@ from shipped_cases import shipped_cases
 from tiers import examples
 
 from exactsweep import Point
-from exactsweep.conform.judge.closeness import are_close, take_pairs
+from exactsweep.conform.judge.closeness import are_close, match_rings
 from exactsweep.conform.judge.compare import compare
 from exactsweep.conform.judge.rounding import name_arithmetic
 from exactsweep.conform.judge.verdict import PartComparison, Verdict
@@ -182,7 +182,7 @@ def test_sets_of_rings_are_matched_one_to_one() -> None:
 
     def match(*rings: tuple[Point, ...], bound: Fraction = bound) -> tuple[int, int]:
         left = list[Sequence[Point]](rings)
-        return len([*take_pairs([outer, hole, other], left, bound)]), len(left)
+        return len([*match_rings([outer, hole, other], left, bound)]), len(left)
 
     assert match(other[::-1], near, outer) == (0, 0)
     assert match(outer, near, near) == (1, 1)

@@ -67,7 +67,7 @@ def make_run(accepted: Verdict) -> Run:
         )
         run.add(outcome)
         if name == "slot-pushed":
-            run.add_smaller(name, replace(outcome, id=f"{name}-shrunk", seconds=0.5))
+            run.add_shrunk(name, replace(outcome, id=f"{name}-shrunk", seconds=0.5))
     return run
 
 

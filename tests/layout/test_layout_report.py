@@ -114,7 +114,7 @@ def test_long_lists_are_cut_and_sorted() -> None:
 
 @pytest.mark.parametrize("number", [1, 2, 3])
 def test_only_the_first_faults_are_measured(number: int, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(worst, "MOST_MEASURED", 2)
+    monkeypatch.setattr(worst, "MAX_MEASURED", 2)
     reported: list[tuple[int, int]] = []
     ranked = rank_faults(many(number), lambda *of: reported.append(of))
     assert reported == [(k, min(number, 2)) for k in range(min(number, 2))]
@@ -122,13 +122,13 @@ def test_only_the_first_faults_are_measured(number: int, monkeypatch: pytest.Mon
 
 
 def test_the_deepest_of_many_faults_are_measured(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(worst, "MOST_MEASURED", 2)
+    monkeypatch.setattr(worst, "MAX_MEASURED", 2)
     ranked = rank_faults(many(9))
     assert [one.square for one in ranked[:2]] == [Fraction(1, 4), Fraction(1, 9)]
 
 
 def test_many_tiny_faults_look_like_rounding(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(worst, "MOST_MEASURED", 2)
+    monkeypatch.setattr(worst, "MAX_MEASURED", 2)
     tile = [[0, 0], [1, 0], ["1", "1"], [0, 1]]
     places = [{"part": "t", "move": [str(k * (1 - Fraction(1, 10**9))), 0]} for k in range(9)]
     layout = {"parts": [{"id": "t", "exterior": tile}], "placements": places}

@@ -59,7 +59,7 @@ class _NearEdge(NamedTuple):
             self.left < high.x and low.x < self.right and self.bottom < high.y and low.y < self.top
         )
 
-    def leave(self, corners: Sequence[Point]) -> Iterator[list[Point]]:
+    def subtract_from(self, corners: Sequence[Point]) -> Iterator[list[Point]]:
         """Yield convex pieces that cover the points of a convex polygon outside the hexagon."""
         inside = list(corners)
         for u, v, middle, half in self.strips:
@@ -97,7 +97,7 @@ def are_boxes_near(first: PointRings, second: PointRings, bound: Fraction) -> bo
     return all(is_near(p, q, bound) for p, q in corners)
 
 
-def take_pairs(
+def match_rings(
     exact: PointRings, theirs: list[Sequence[Point]], bound: Fraction
 ) -> Iterator[Sequence[Point]]:
     """Remove a close ring from a list for each exact ring; yield the unmatched exact rings."""
@@ -198,7 +198,7 @@ def _is_covered(corners: Sequence[Point], edges: Sequence[_NearEdge]) -> bool:
         edge = next((edge for edge in edges if edge.holds(middle)), None)
         if edge is None:
             return False
-        left += edge.leave(piece)
+        left += edge.subtract_from(piece)
     return True
 
 
@@ -239,12 +239,14 @@ def match_rounded(
     return [fit for fit in fits if covers(lines, [fit], rounding)]
 
 
-def name_joint(exact: Sequence[Loop], theirs: Sequence[Loop], name: str, rounding: Fraction) -> str:
+def describe_merge(
+    exact: Sequence[Loop], theirs: Sequence[Loop], name: str, rounding: Fraction
+) -> str:
     """Describe which rings rounding merges or splits, and where; "" if none."""
     if len(exact) == len(theirs):
         return ""
     left = list[Sequence[Point]](theirs)
-    missing = list(take_pairs(exact, left, rounding))
+    missing = list(match_rings(exact, left, rounding))
     is_joined = len(missing) > len(left)
     several, verb = (missing, "joins") if is_joined else (left, "parts")
     has_outer = name != "inner_fit" and exact[0] in missing

@@ -8,7 +8,7 @@ from itertools import islice
 from operator import itemgetter
 
 from exactsweep.conform.judge.boundary import are_bridges, find_boundary, subtract_fits, trace_rings
-from exactsweep.conform.judge.closeness import match_rounded, name_joint
+from exactsweep.conform.judge.closeness import describe_merge, match_rounded
 from exactsweep.conform.judge.diagnosis import diagnose
 from exactsweep.conform.judge.fits import judge_fits
 from exactsweep.conform.judge.region import (
@@ -26,7 +26,7 @@ from exactsweep.conform.judge.verdict import (
     Comparison,
     PartComparison,
     Verdict,
-    name_kind,
+    describe_type,
     read_loop,
     read_segments,
 )
@@ -50,8 +50,8 @@ from exactsweep.geometry.region import common_lattice
 from exactsweep.numbers.error import explain_type_errors, quote
 from exactsweep.numbers.number import Fit, Loop
 
-MOST_MEASURED = 3000  # edges of both loops for measuring area and distance
-MOST_PAIRS = 20_000  # pairs of rings examined for overlap: a few seconds
+MAX_MEASURED = 3000  # edges of both loops for measuring area and distance
+MAX_PAIRS = 20_000  # pairs of rings examined for overlap: a few seconds
 
 JudgedLoop = tuple[PartComparison, Sequence[Fit]]  # with the exact fits that the rings trace
 
@@ -95,7 +95,7 @@ def compare(
     """
     if not isinstance(result, Mapping):
         return Comparison(
-            case.id, Verdict.MALFORMED, f"the answer is {name_kind(result)}, not an object"
+            case.id, Verdict.MALFORMED, f"the answer is {describe_type(result)}, not an object"
         )
     if "id" in result and result["id"] != case.id:
         raise AnswerError(f"the answer has the id {quote(result['id'])}, not {case.id!r}")
@@ -161,7 +161,7 @@ def judge_loop(case: Case, name: str, loop: AnsweredLoop, rounding: Fraction) ->
     traced = match_rounded(boundary, right, fits, rounding)
     if traced is not None:
         plain = tuple(trace_rings(boundary))
-        joint = name_joint(exact, plain, name, rounding)
+        joint = describe_merge(exact, plain, name, rounding)
         phrases = ("rounded", "exact fits traced by the loop" if traced else "", joint)
         part = replace(
             _measure(case, name, plain, None, (), rounding, is_rounded=True),
@@ -193,7 +193,7 @@ def find_fault(rings: Sequence[Loop], place: str) -> str | None:
     _, lattice = common_lattice(polygons)
     shapes = [EdgeIndex([ring]) for ring in lattice]
     for j, k in sorted(
-        islice(find_near([one.box for one in shapes]), MOST_PAIRS), key=itemgetter(1, 0)
+        islice(find_near([one.box for one in shapes]), MAX_PAIRS), key=itemgetter(1, 0)
     ):
         # Rings overlap unless one contains the other; equal rings contain each other.
         one, other = shapes[j].rings, shapes[k].rings
@@ -214,7 +214,7 @@ def _measure(
     is_rounded: bool = False,
 ) -> PartComparison:
     exact = list_exact_rings(case, name)
-    is_small = sum(map(len, exact)) + sum(map(len, rings)) <= MOST_MEASURED
+    is_small = sum(map(len, exact)) + sum(map(len, rings)) <= MAX_MEASURED
     cells: list[Trapezoid] = []
     is_whole = False
     if is_small or not (fault or is_rounded):

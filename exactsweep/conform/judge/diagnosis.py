@@ -12,7 +12,7 @@ from itertools import chain
 from operator import itemgetter
 from typing import NamedTuple
 
-from exactsweep.conform.judge.closeness import are_close, find_box, is_near, take_pairs
+from exactsweep.conform.judge.closeness import are_close, find_box, is_near, match_rings
 from exactsweep.conform.judge.rounding import name_arithmetic
 from exactsweep.conform.judge.witness import (
     LOOP_NAMES,
@@ -34,7 +34,7 @@ from exactsweep.words import write_pair
 _BOUNDARIES = (
     "the sum of the boundaries only: positions with one polygon inside the other are missing"
 )
-_MOST_ROUNDED = 16
+_MAX_ROUNDED = 16
 _NEARLY = 4
 _POSITIONS = ("trajectory", "no_fit", SUM, "inner_fit")  # depend on the reference point
 
@@ -54,7 +54,7 @@ class _DiagnosedRings(NamedTuple):
     def reference(self) -> Point:
         return ORIGIN if self.name == SUM else self.case.reference
 
-    def are(self, others: PointRings, times: int = 1) -> bool:
+    def equal(self, others: PointRings, times: int = 1) -> bool:
         """Decide whether the answered rings equal others up to a multiple of the rounding."""
         return bool(others) and are_close(others, self.rings, times * self.rounding)
 
@@ -64,7 +64,7 @@ def diagnose(case: Case, name: str, rings: PointRings, rounding: Fraction) -> tu
     if not any(map(find_doubled_area, rings)):
         return () if rings else ("reports that G does not fit",)
     low, high = find_box(rings)
-    if min(high.x - low.x, high.y - low.y) < _MOST_ROUNDED * rounding:
+    if min(high.x - low.x, high.y - low.y) < _MAX_ROUNDED * rounding:
         # Such a rounding would make nearly all rings equal.
         rounding = Fraction(0)
     exact = list_exact_rings(case, name)
@@ -72,18 +72,18 @@ def diagnose(case: Case, name: str, rings: PointRings, rounding: Fraction) -> tu
         return (f"the exact {LOOP_NAMES[name]} has no rings",)
     theirs = _DiagnosedRings(case, name, exact, rings, rounding, low, high)
     left = list(rings)
-    missing = list(take_pairs(exact, left, rounding))
+    missing = list(match_rings(exact, left, rounding))
     if counted := tuple(_count_rings(theirs, missing, left)):
         return counted
     spoilt = name_arithmetic(exact, rings)
-    if rounding and theirs.are(exact, _NEARLY):
+    if rounding and theirs.equal(exact, _NEARLY):
         # Such an error could be mistaken for another reference point or scale.
         named = spoilt or tuple(_name_vertices(exact, rings))
         return *named, f"exact except for {_NEARLY} times the rounding granted"
     found = [*_other_loops(theirs)]
     if name in _POSITIONS and exact and not found:
         found += [*spoilt, *_other_positions(theirs)]
-    if name == "outer" and not found and theirs.are(_add(case, name)):
+    if name == "outer" and not found and theirs.equal(_add(case, name)):
         found.append("D + G instead of the trajectory + G")
     if not found:
         found += spoilt or _name_vertices(exact, rings)
@@ -143,7 +143,7 @@ def _other_loops(theirs: _DiagnosedRings) -> Iterator[str]:
         if SUM in (other, theirs.name):
             continue
         loop = list_exact_rings(case, other)
-        if loop not in ((), exact) and theirs.are(loop):
+        if loop not in ((), exact) and theirs.equal(loop):
             yield f"exact for the {words} instead"
     named: dict[str, PointRings] = {
         "D itself": case.directrix.rings,
@@ -155,7 +155,7 @@ def _other_loops(theirs: _DiagnosedRings) -> Iterator[str]:
         named["the convex hull of the exact one"] = [Polygon(find_hull(chain(*exact))).vertices]
         named["the bounding box of the exact one"] = [box.vertices]
     for words, rings in named.items():
-        if tuple(rings) != exact and theirs.are(rings):
+        if tuple(rings) != exact and theirs.equal(rings):
             yield words
 
 
@@ -256,11 +256,11 @@ def _name_offsets(theirs: _DiagnosedRings, offset: Point) -> Iterator[str]:
 
 def _find_offset(shape: PointRings, theirs: _DiagnosedRings) -> Point | None:
     by = subtract(theirs.low, find_box(shape)[0])
-    return by if theirs.are(_map(shape, 1, 0, 0, 1, by), 2) else None
+    return by if theirs.equal(_map(shape, 1, 0, 0, 1, by), 2) else None
 
 
 def _find_scale(theirs: _DiagnosedRings) -> Fraction | None:
     low, high = find_box(theirs.exact)
     factor = (theirs.high.x - theirs.low.x) / (high.x - low.x)
     scaled = [[Point(x * factor, y * factor) for x, y in ring] for ring in theirs.exact]
-    return factor if factor not in (0, 1) and theirs.are(scaled, 4) else None
+    return factor if factor not in (0, 1) and theirs.equal(scaled, 4) else None

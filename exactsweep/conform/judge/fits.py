@@ -92,7 +92,7 @@ def _count_differences(missing: Sequence[Fit], others: Sequence[Fit]) -> dict[st
     counts = dict.fromkeys(("missing", "too short", "too long", "invented"), 0)
     touched = set()
     for other in others:
-        near = [fit for fit in missing if _unite_to_one(fit, other)]
+        near = [fit for fit in missing if _are_mergeable(fit, other)]
         touched.update(near)
         is_inside = any(all(is_on_segment(p, *fit) for p in other) for fit in near)
         counts["invented" if not near else "too short" if is_inside else "too long"] += 1
@@ -100,7 +100,7 @@ def _count_differences(missing: Sequence[Fit], others: Sequence[Fit]) -> dict[st
     return {how: number for how, number in counts.items() if number}
 
 
-def _unite_to_one(one: Fit, other: Fit) -> bool:
+def _are_mergeable(one: Fit, other: Fit) -> bool:
     """Decide whether segments are collinear and share more than an end, or one is a point."""
     low, high = max(min(one), min(other)), min(max(one), max(other))
     return are_collinear((*one, *other)) and (

@@ -15,7 +15,7 @@ from exactsweep.numbers.number import Point, PointRings
 
 Change = Callable[[Fraction], Fraction]
 
-_MOST_DECIMALS = 12
+_MAX_DECIMALS = 12
 _DIGITS = range(3, 16)
 _WIDTHS = (32, 64, 16, 8)
 # The least numbers that round to infinity, in single precision through a double.
@@ -79,7 +79,7 @@ def name_arithmetic(exact: PointRings, theirs: PointRings) -> tuple[str, ...]:
 def _changes() -> Iterator[tuple[str, Change]]:
     yield "rounded down to integers", lambda c: Fraction(floor(c))
     yield "rounded to integers", lambda c: Fraction(round(c))
-    for k in range(1, _MOST_DECIMALS + 1):
+    for k in range(1, _MAX_DECIMALS + 1):
         yield f"rounded to {k} decimal{'s' * (k > 1)}", partial(_print, form=f".{k}f")
     for k in _DIGITS:
         yield f"rounded to {k} digits", partial(_print, form=f".{k}g")

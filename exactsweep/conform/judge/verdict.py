@@ -220,9 +220,9 @@ def _read_points(pairs: Sequence[object], path: str) -> tuple[Loop, bool]:
 
 def _list(value: object, path: str, what: str) -> Sequence[object]:
     if not isinstance(value, (list, tuple)):
-        raise AnswerError(f"{path} is {name_kind(value)}, not {what}")
+        raise AnswerError(f"{path} is {describe_type(value)}, not {what}")
     return value
 
 
-def name_kind(value: object) -> str:
+def describe_type(value: object) -> str:
     return describe_kind(value) if isinstance(value, (dict, list, str, bool)) else quote(value)

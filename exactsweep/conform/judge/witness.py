@@ -92,7 +92,9 @@ class WitnessError(ExactSweepError):
 
 def find_witness(case: Case, name: str, theirs: PointRings, cells: Iterable[Trapezoid]) -> Witness:
     cell = max(cells, key=lambda cell: cell.area)
-    show = {"inner": _of_inner, "outer": _of_outer}.get(name, partial(_of_positions, name=name))
+    show = {"inner": _find_inner_witness, "outer": _find_outer_witness}.get(
+        name, partial(_find_position_witness, name=name)
+    )
     for point in cell.points():
         if is_inside(point, theirs) != cell.first and (found := show(case, point, cell.first)):
             side = "outside" if cell.first else "inside"
@@ -127,13 +129,15 @@ def _obstacles(case: Case, t: Point) -> list[AnyPolygon]:
     return [Region(box, [exterior]), *map(Polygon, holes)]
 
 
-def _of_positions(case: Case, position: Point, missed: bool, name: str) -> Witness | None:
+def _find_position_witness(case: Case, position: Point, missed: bool, name: str) -> Witness | None:
     is_inside = name == "inner_fit"
     if name == SUM:
         found = at_position(case, add(position, case.reference))
         if found.classified != ("OVERLAP" if missed else "FREE"):
             return None
-        return replace(found, says=f"{write_pair(position)} is {_tell_sum(position, found.point)}")
+        return replace(
+            found, says=f"{write_pair(position)} is {_describe_sum(position, found.point)}"
+        )
     found = at_position(case, position, inside=is_inside)
     holes = case.holes if name == "trajectory" and missed else ()
     if any(point_in_polygon(position, hole) >= 0 for hole in holes):
@@ -141,14 +145,14 @@ def _of_positions(case: Case, position: Point, missed: bool, name: str) -> Witne
     return found if found.classified == ("FREE" if missed == is_inside else "OVERLAP") else None
 
 
-def _tell_sum(position: Point, a: Point | None) -> str:
+def _describe_sum(position: Point, a: Point | None) -> str:
     if a is None:
         return "not the sum of a point of a and a point of b"
     return f"{write_pair(a)} in a plus {write_pair(subtract(position, a))} in b"
 
 
-def _of_inner(case: Case, point: Point, permitted: bool) -> Witness | None:
-    onto, positions = _onto(case, point), _positions(case)
+def _find_inner_witness(case: Case, point: Point, permitted: bool) -> Witness | None:
+    onto, positions = _list_covering_translations(case, point), _positions(case)
     escapes = [c for c in find_differences(onto.rings, [positions.vertices]) if c.first]
     if permitted and case.kind == "SS":
         if escapes and classify(positions, onto, (0, 0)).verdict == "OVERLAP":
@@ -158,23 +162,23 @@ def _of_inner(case: Case, point: Point, permitted: bool) -> Witness | None:
         if not escapes:
             return None
         t = next(max(escapes, key=lambda cell: cell.area).points())
-        return _over(case, point, t)
+        return _cover_point(case, point, t)
     if escapes:
         return None
     # All positions are witnesses; the largest cell has short coordinates.
     t = next(max(find_differences(onto.rings, []), key=lambda cell: cell.area).points())
-    found = _over(case, point, t)
+    found = _cover_point(case, point, t)
     return found and replace(found, says=f"{found.says}, as at all positions over that point")
 
 
-def _of_outer(case: Case, point: Point, permitted: bool) -> Witness | None:
-    onto, positions = _onto(case, point), _positions(case)
+def _find_outer_witness(case: Case, point: Point, permitted: bool) -> Witness | None:
+    onto, positions = _list_covering_translations(case, point), _positions(case)
     if not permitted:
         if classify(positions, onto, (0, 0)).verdict == "OVERLAP":
             return None
         return Witness(f"at all positions over {write_pair(point)} G {_DOES['FREE']}", point=point)
     for t in _on_boundary(positions, onto):
-        return _over(case, point, t)
+        return _cover_point(case, point, t)
     for shape, name in (
         (case.directrix, "D"),
         (case.inner, "the inner loop"),
@@ -185,7 +189,7 @@ def _of_outer(case: Case, point: Point, permitted: bool) -> Witness | None:
     return None
 
 
-def _over(case: Case, point: Point, t: Point) -> Witness | None:
+def _cover_point(case: Case, point: Point, t: Point) -> Witness | None:
     if locate_in_shape(point, case.generatrix.translated(t).rings) < 0:
         return None
     verdict, _ = classify(case.directrix, case.generatrix, t)
@@ -193,7 +197,7 @@ def _over(case: Case, point: Point, t: Point) -> Witness | None:
     return Witness(f"at {at} G covers {write_pair(point)} and {_DOES[verdict]}", t, verdict, point)
 
 
-def _onto(case: Case, point: Point) -> AnyPolygon:
+def _list_covering_translations(case: Case, point: Point) -> AnyPolygon:
     return case.generatrix.reflected((point.x / 2, point.y / 2))
 
 

@@ -6,12 +6,12 @@ from itertools import chain, islice
 from xml.etree import ElementTree
 
 from exactsweep.conform.judge.verdict import Verdict
-from exactsweep.conform.report.text import tell_witness
+from exactsweep.conform.report.text import describe_witness
 from exactsweep.conform.run.outcome import Outcome, list_witnesses
 from exactsweep.conform.run.peer import replace_controls
 from exactsweep.conform.run.run import Run, fails
 
-MOST_ANNOTATIONS = 10  # GitHub shows no more for a step
+MAX_ANNOTATIONS = 10  # GitHub shows no more for a step
 _EXACT = (Verdict.EXACT, Verdict.EQUIVALENT, Verdict.EQUIVALENT_EXCEPT_FOR_EXACT_FITS)
 
 
@@ -35,12 +35,12 @@ def write_annotations(run: Run) -> str:
         if fails(one.verdict, run.accepted)
     ]
     objections = (_write_command(run.hello.name, words) for words in run.find_objections())
-    return "".join([*lines, *objections][:MOST_ANNOTATIONS])
+    return "".join([*lines, *objections][:MAX_ANNOTATIONS])
 
 
 def _annotate(title: str, outcome: Outcome, others: int) -> str:
     witnesses = chain.from_iterable(map(list_witnesses, outcome.parts))
-    shown = islice(chain.from_iterable(map(tell_witness, witnesses)), 2)
+    shown = islice(chain.from_iterable(map(describe_witness, witnesses)), 2)
     more = [f"and {others} more like it"] if others else []
     return _write_command(title, "\n".join([outcome.reason, *shown, *more]))
 
@@ -122,6 +122,6 @@ def _add_case(suite: ElementTree.Element, outcome: Outcome, accepted: Verdict) -
 def _lines(outcome: Outcome) -> list[str]:
     lines = [f"{outcome.verdict}: {outcome.reason}"]
     for part in outcome.parts:
-        said = [*part["diagnosis"], *chain(*map(tell_witness, list_witnesses(part)))]
+        said = [*part["diagnosis"], *chain(*map(describe_witness, list_witnesses(part)))]
         lines += (f"{part['name']}: {words}" for words in said)
     return lines

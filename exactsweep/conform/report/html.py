@@ -20,7 +20,7 @@ from exactsweep.canvas.svg import write_path
 from exactsweep.canvas.window import Window
 from exactsweep.conform.judge.verdict import AnswerError, Verdict, read_loop
 from exactsweep.conform.judge.witness import FITS_OF, PART_NAMES, SUM, add, list_exact_rings
-from exactsweep.conform.report.text import tell_witness
+from exactsweep.conform.report.text import describe_witness
 from exactsweep.conform.report.unit_test import guess_language, write_unit_test
 from exactsweep.conform.run.outcome import Outcome, list_witnesses
 from exactsweep.conform.run.peer import replace_controls
@@ -31,7 +31,7 @@ from exactsweep.numbers.number import Loop, Point
 from exactsweep.text.report import approximate, take_root
 from exactsweep.text.template import make_environment
 
-_MOST_LISTED = 2000
+_MAX_LISTED = 2000
 _KEY = (
     ("directrix", "D"),
     ("generatrix", "G, at the witness if it is a position"),
@@ -66,7 +66,7 @@ def write_html(run: Run) -> str:
         "panels": _draw,
         "unit_test": partial(_write_unit_test, run),
         "witnesses": list_witnesses,
-        "said": tell_witness,
+        "said": describe_witness,
     }
     template = files("exactsweep.conform.report").joinpath("report.html.j2")
     failed = (outcome for outcome in run.list_outcomes() if fails(outcome.verdict, run.accepted))
@@ -83,8 +83,8 @@ def write_html(run: Run) -> str:
         most_shown=SHOWN,
         answers=[PART_NAMES[q] for q in (*run.hello.loops, *run.hello.questions) if q != "sweep"],
         failures=failures,
-        failed=islice(failed, _MOST_LISTED),
-        more=max(0, failures - _MOST_LISTED),
+        failed=islice(failed, _MAX_LISTED),
+        more=max(0, failures - _MAX_LISTED),
     )
 
 

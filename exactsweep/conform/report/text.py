@@ -46,11 +46,11 @@ def _part(part: PartComparison) -> list[str]:
         granted = f", granted {approximate(part.granted)}" if part.granted else ""
         lines.append(f"  vertices off by up to {distance}, area {approximate(part.area)}{granted}")
     for witness in list_witnesses(part.to_json()):
-        lines += (f"  {line}" for line in tell_witness(witness))
+        lines += (f"  {line}" for line in describe_witness(witness))
     return lines
 
 
-def tell_witness(witness: Mapping[str, Any]) -> list[str]:
+def describe_witness(witness: Mapping[str, Any]) -> list[str]:
     """Describe a witness in one or two lines, with the exact verdict of `classify`."""
     lines = [witness["says"]]
     if witness["translation"] is not None:

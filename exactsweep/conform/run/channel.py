@@ -98,7 +98,7 @@ class Channel:
             code = self._started.wait(seconds)
             if code is None:
                 return f"closed its output, but did not exit within {seconds:g} s after bye"
-            return None if code == 0 else f"after bye, {tell_exit(code)}"
+            return None if code == 0 else f"after bye, {describe_exit(code)}"
         finally:
             self.kill()
         return f"kept writing after bye: {said[:40]!r}"
@@ -178,13 +178,13 @@ class Channel:
         with suppress(OSError, KeyError):
             for _ in range(_LAST_CHUNKS):
                 self._stderr = (self._stderr + self._read(self._errors))[-MAX_STDERR:]
-        return "closed its output" if code is None else tell_exit(code)
+        return "closed its output" if code is None else describe_exit(code)
 
 
-def tell_exit(code: int) -> str:
+def describe_exit(code: int) -> str:
     """Describe how a process ended.
 
-    >>> tell_exit(3), tell_exit(-11)
+    >>> describe_exit(3), describe_exit(-11)
     ('exited with code 3', 'was killed by signal 11, SIGSEGV')
     """
     if code >= 0:

@@ -120,9 +120,9 @@ def name_fault(
         said = [_name_difference(worst)]
     elif reason.startswith(_ENDED):
         # The reason has a shortened error.
-        said = [reason.partition(";")[0], _forget_values(find_error(stderr)), find_place(stderr)]
+        said = [reason.partition(";")[0], _mask_values(find_error(stderr)), find_place(stderr)]
     else:
-        said = [_forget_values(reason), find_place(stderr)]
+        said = [_mask_values(reason), find_place(stderr)]
     return f"{verdict.value}: {'; '.join(filter(None, said))}"
 
 
@@ -130,18 +130,18 @@ def _name_difference(part: Mapping[str, Any]) -> str:
     named = next(iter(part["diagnosis"]), "") or part["kind"] or part["reason"]
     shown = (part[side] and part[side]["classified"] for side in ("unsound", "conservative"))
     return ", ".join(
-        [PART_NAMES[part["name"]], write_cause(named), *(kind.lower() for kind in shown if kind)]
+        [PART_NAMES[part["name"]], mask_numbers(named), *(kind.lower() for kind in shown if kind)]
     )
 
 
-def _forget_values(text: str) -> str:
-    return write_cause(_QUOTED.sub("#", text))
+def _mask_values(text: str) -> str:
+    return mask_numbers(_QUOTED.sub("#", text))
 
 
-def write_cause(text: str) -> str:
+def mask_numbers(text: str) -> str:
     """Replace the numbers of a diagnosis.
 
-    >>> write_cause("translated by (3,-1/2)")
+    >>> mask_numbers("translated by (3,-1/2)")
     'translated by (#,-#)'
     """
     return _NUMBER.sub(lambda found: found[1] or "#", cut(text))

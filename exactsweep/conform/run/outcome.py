@@ -12,14 +12,14 @@ from typing import Any, NoReturn, Self
 
 from exactsweep.conform.judge.compare import compare
 from exactsweep.conform.judge.verdict import Comparison, Verdict
-from exactsweep.conform.run.fault import name_fault, write_cause
+from exactsweep.conform.run.fault import mask_numbers, name_fault
 from exactsweep.conform.run.peer import Answer, Peer
 from exactsweep.conform.run.protocol import Hello, UnsupportedError, adapt
 from exactsweep.conform.run.shrink import shrink
 from exactsweep.corpus import Case, case_from_json, case_to_json
 from exactsweep.numbers.error import ExactSweepError
 
-TO_COMPARE = 60.0  # CPU seconds per comparison; work bounds usually stop it earlier
+COMPARE_SECONDS = 60.0  # CPU seconds per comparison; work bounds usually stop it earlier
 _MAX_RESULT = 65536  # characters of a kept answer
 
 
@@ -89,7 +89,7 @@ class Outcome:
         return replace(
             self,
             reason=self.reason.replace(first, cause),
-            fault=self.fault.replace(write_cause(first), write_cause(cause)),
+            fault=self.fault.replace(mask_numbers(first), mask_numbers(cause)),
             diagnosis=(cause, *(words for words in self.diagnosis if words != cause)),
             parts=tuple(parts),
         )
@@ -155,12 +155,12 @@ def judge_answer(
 
 
 def compare_in_time(case: Case, result: object, **options: Any) -> Comparison:
-    """Compare an answer; in the main thread, give up after TO_COMPARE seconds."""
+    """Compare an answer; in the main thread, give up after COMPARE_SECONDS seconds."""
     try:
-        with stop_after(TO_COMPARE):
+        with stop_after(COMPARE_SECONDS):
             return compare(case, result, **options)
     except OvertimeError:
-        reason = f"there is an answer, but comparing it takes more than {TO_COMPARE:g} s"
+        reason = f"there is an answer, but comparing it takes more than {COMPARE_SECONDS:g} s"
         return Comparison(case.id, Verdict.UNDECIDED, reason)
 
 

@@ -18,7 +18,7 @@ from exactsweep.numbers.number import Point
 SECONDS = 10.0  # default time limit of an answer
 MAX_STDERR = 16384  # bytes kept from the end of standard error
 _MAX_REASON = 200
-_MOST_ITEMS = 10**6
+_MAX_ITEMS = 10**6
 
 
 Function = Callable[..., Any]
@@ -84,7 +84,7 @@ def make_plain(value: Any) -> Any:
     if isinstance(value, (str, bytes, Mapping)) or not isinstance(value, Iterable):
         return value
     # A generator may be infinite.
-    return [make_plain(one) for one in islice(value, _MOST_ITEMS)]
+    return [make_plain(one) for one in islice(value, _MAX_ITEMS)]
 
 
 def _list_rings(shape: Mapping[str, Any]) -> list[Any]:

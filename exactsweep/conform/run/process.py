@@ -21,8 +21,8 @@ from exactsweep.corpus import Case
 from exactsweep.formats.exact_json import describe_kind
 from exactsweep.numbers.error import quote
 
-TO_START = 30.0  # seconds until the hello
-TO_END = 2.0  # seconds until the exit after bye
+START_SECONDS = 30.0  # seconds until the hello
+EXIT_SECONDS = 2.0  # seconds until the exit after bye
 
 
 class Terms(NamedTuple):
@@ -35,7 +35,7 @@ class Terms(NamedTuple):
 class ProcessPeer:
     """A process that speaks the protocol; restarted after each failure."""
 
-    def __init__(self, terms: Terms, to_start: float = TO_START) -> None:
+    def __init__(self, terms: Terms, to_start: float = START_SECONDS) -> None:
         self.terms, self._to_start = terms, to_start
         self._channel: Channel | None = None
         self.hello = self._start()
@@ -58,7 +58,7 @@ class ProcessPeer:
         channel, self._channel = self._channel, None
         if channel is None:
             return None
-        complaint = channel.finish(BYE, TO_END)
+        complaint = channel.finish(BYE, EXIT_SECONDS)
         return complaint and _with_last_words(complaint, channel)
 
     def kill(self) -> None:

@@ -100,7 +100,7 @@ def read_any_length(text: str) -> Fraction:
 
 
 SHOWN = 5  # failures kept in full for each fault
-MOST_FAULTS = 40  # others are grouped by verdict
+MAX_FAULTS = 40  # others are grouped by verdict
 
 
 @dataclass
@@ -157,7 +157,7 @@ class Run:
         self.outcomes.append(bare if len(bare.diagnosis) > 1 else replace(bare, diagnosis=()))
         if fails(outcome.verdict, self.accepted):
             name = outcome.fault
-            if name not in self._faults and len(self._faults) >= MOST_FAULTS:
+            if name not in self._faults and len(self._faults) >= MAX_FAULTS:
                 name = f"{outcome.verdict}: others"
             self._faults.setdefault(name, NamedFault(outcome.verdict, name)).add([outcome])
 
@@ -182,7 +182,7 @@ class Run:
         for fault in self.list_faults():
             yield from fault.kept
 
-    def to_be_smaller(self, number: int) -> list[Outcome]:
+    def list_shrinkable(self, number: int) -> list[Outcome]:
         """List the smallest failures of each fault, except timeouts and memory limits."""
         return [
             outcome
@@ -191,7 +191,7 @@ class Run:
             for outcome in fault.kept[:number]
         ]
 
-    def add_smaller(self, id: str, outcome: Outcome) -> None:
+    def add_shrunk(self, id: str, outcome: Outcome) -> None:
         """Add the outcome of a smaller case if it has the same fault."""
         (fault,) = (found.fault for found in self.show() if found.id == id)
         smaller = outcome.lead_with(self.summary.find_cause())

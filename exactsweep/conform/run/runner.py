@@ -13,8 +13,8 @@ from exactsweep.corpus import Case
 from exactsweep.corpus.selection import require_distinct
 from exactsweep.numbers.error import explain_type_errors
 
-TO_MAKE_SMALLER = 20.0  # seconds for shrinking one failure
-MOST_TO_MAKE_SMALLER = 120.0  # seconds for shrinking all failures
+SHRINK_SECONDS = 20.0  # seconds for shrinking one failure
+MAX_SHRINK_SECONDS = 120.0  # seconds for shrinking all failures
 
 
 def judge_cases(
@@ -46,9 +46,9 @@ def judge_cases(
                 journal.add(outcome)
             run.add(outcome)
             tell()
-        failures = run.to_be_smaller(made_smaller)
+        failures = run.list_shrinkable(made_smaller)
         for id, smallest in judges.shrink(failures, _share_time(failures)):
-            run.add_smaller(id, smallest)
+            run.add_shrunk(id, smallest)
         judges.finish()
         run.complaints += judges.complaints
     except JudgeError as error:
@@ -59,7 +59,7 @@ def judge_cases(
 
 
 def _share_time(failures: Sequence[Outcome]) -> float:
-    return min(TO_MAKE_SMALLER, MOST_TO_MAKE_SMALLER / max(1, len(failures)))
+    return min(SHRINK_SECONDS, MAX_SHRINK_SECONDS / max(1, len(failures)))
 
 
 @explain_type_errors
@@ -122,7 +122,7 @@ def conform(
     run = Run(peer.hello, accepted=accepted)
     for case in require_distinct(cases):
         run.add(judge_case(peer, case))
-    failures = run.to_be_smaller(made_smaller)
+    failures = run.list_shrinkable(made_smaller)
     for outcome in failures:
-        run.add_smaller(outcome.id, shrink_outcome(peer, outcome, _share_time(failures)))
+        run.add_shrunk(outcome.id, shrink_outcome(peer, outcome, _share_time(failures)))
     return run

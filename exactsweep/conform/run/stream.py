@@ -16,7 +16,7 @@ from exactsweep.formats.exact_json import describe_kind
 from exactsweep.formats.files import split_lines
 from exactsweep.numbers.error import quote
 
-_MOST_COMPLAINTS = 20
+_MAX_COMPLAINTS = 20
 
 
 class Stream:
@@ -42,7 +42,7 @@ class Stream:
                 put = adapt(case, terms)
                 outcome = judge_answer(case, put, read_answer(result), self.hello)
             except ValueError as error:
-                if len(self.complaints) < _MOST_COMPLAINTS:
+                if len(self.complaints) < _MAX_COMPLAINTS:
                     self.complaints.append(f"line {number}: {error}")
                 continue
             yield outcome

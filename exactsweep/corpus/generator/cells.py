@@ -21,13 +21,13 @@ def build_frame(width: int, height: int) -> set[Cell]:
     return build_block(width, height) - build_block(width - 2, height - 2, 1, 1)
 
 
-def list_neighbours(cell: Cell) -> list[Cell]:
+def list_neighbors(cell: Cell) -> list[Cell]:
     return [(cell[0] + dx, cell[1] + dy) for dx, dy in SIDES]
 
 
 def around(cells: Iterable[Cell]) -> list[Cell]:
     own = set(cells)
-    return sorted({near for cell in own for near in list_neighbours(cell)} - own)
+    return sorted({near for cell in own for near in list_neighbors(cell)} - own)
 
 
 def grow(choices: Iterable[int]) -> frozenset[Cell]:
@@ -48,7 +48,7 @@ def connect(cells: Iterable[Cell]) -> set[Cell]:
     given = set(cells)
     found, left = {min(given)}, [min(given)]
     while left:
-        adjacent = set(list_neighbours(left.pop())) & given - found
+        adjacent = set(list_neighbors(left.pop())) & given - found
         found |= adjacent
         left += adjacent
     return found

@@ -10,7 +10,7 @@ from itertools import pairwise
 from math import gcd
 from random import Random
 
-from exactsweep.corpus.generator.shapes import IntegerPoint, Ring, turn_half, walk
+from exactsweep.corpus.generator.shapes import IntegerPoint, Ring, reflect_ring, walk
 
 
 def convex(n: int, random: Random, size: int = 1000) -> Ring:
@@ -21,7 +21,7 @@ def convex(n: int, random: Random, size: int = 1000) -> Ring:
         if gcd(x, y) == 1:
             edges.add((x, y))
     ordered = sorted(edges, key=lambda edge: Fraction(edge[1], edge[0]))
-    return walk([*ordered, *turn_half(ordered)][:-1])
+    return walk([*ordered, *reflect_ring(ordered)][:-1])
 
 
 def zigzag(n: int, random: Random, step: int = 1000, height: int = 1000) -> Ring:

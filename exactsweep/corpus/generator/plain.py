@@ -44,7 +44,7 @@ def grid_pair(random: Prng) -> RingPair:
     if chosen == 0:
         return directrix, directrix
     if chosen == 1:
-        return shapes.turn_half(directrix), directrix
+        return shapes.reflect_ring(directrix), directrix
     return _on_grid(random), directrix
 
 
@@ -69,7 +69,7 @@ def fits_pair(random: Prng) -> RingPair:
     bottom = shapes.build_columns([w for w, _ in cells], [h for _, h in cells])
     lid = max(h for _, h in cells) + 1
     rings = [generatrix, [*bottom, (bottom[-1][0], lid), (0, lid)]]
-    return rings if random.chance(1, 2) else [shapes.turn_half(ring) for ring in rings]
+    return rings if random.chance(1, 2) else [shapes.reflect_ring(ring) for ring in rings]
 
 
 def equal_slopes_pair(random: Prng) -> RingPair:

@@ -89,7 +89,7 @@ def close_between(random: Prng, bottom: Ring, top: Ring, pointed: int = 3) -> Ri
     return [*bottom, *right, *((x, y + lift) for x, y in reversed(top)), *left]
 
 
-def turn_half(ring: Ring) -> Ring:
+def reflect_ring(ring: Ring) -> Ring:
     return [(-x, -y) for x, y in ring]
 
 

@@ -8,12 +8,12 @@ from importlib.resources import files
 from exactsweep import __version__
 from exactsweep.layout.judge import Judgement
 from exactsweep.layout.report.picture import SIDE, draw_parts, enlarge_faults, write_style
-from exactsweep.layout.report.table import find_remarks, list_measures, tell_fault
+from exactsweep.layout.report.table import describe_fault, find_remarks, list_measures
 from exactsweep.layout.report.worst import NO_CONTEXT, ReportContext, WorstFirst
 from exactsweep.text.template import make_environment
 from exactsweep.words import spell_out
 
-_MOST_LISTED, _MOST_MARKED, _REPAIRED = 1000, 20, 50
+_MAX_LISTED, _MAX_MARKED, _REPAIRED = 1000, 20, 50
 
 
 def write_layout_page(
@@ -44,10 +44,10 @@ def write_layout_page(
         style=Markup(write_style()),
         script=Markup(script),
         script_hash=f"sha256-{digest}",
-        names=names[:_MOST_LISTED],
+        names=names[:_MAX_LISTED],
         placed={
-            number: " ".join(map(str, one.fault.placements[:_MOST_MARKED]))
-            for number, one in enumerate(ranked[:_MOST_LISTED], 1)
+            number: " ".join(map(str, one.fault.placements[:_MAX_MARKED]))
+            for number, one in enumerate(ranked[:_MAX_LISTED], 1)
         },
         verdict=facts.pop("verdict"),
         facts=facts,
@@ -63,10 +63,10 @@ def write_layout_page(
             (
                 number,
                 one.fault.kind,
-                *tell_fault(judgement, one, context, repaired=number <= _REPAIRED),
+                *describe_fault(judgement, one, context, repaired=number <= _REPAIRED),
             )
-            for number, one in enumerate(ranked[:_MOST_LISTED], 1)
+            for number, one in enumerate(ranked[:_MAX_LISTED], 1)
         ],
-        more=max(0, len(ranked) - _MOST_LISTED),
+        more=max(0, len(ranked) - _MAX_LISTED),
         notes=[*notes, *find_remarks(judgement, ranked, context)],
     )

@@ -28,7 +28,7 @@ from exactsweep.words import count, spell_out
 
 _WIDTH, _NARROW, _LEAST, _MOST = 960, 480, 160, 640
 _MARGIN, _GAP, _LINE = 14, 20, 20
-_MOST_ENLARGED, _MOST_LABELLED = 12, 150
+_MAX_ENLARGED, _MAX_LABELED = 12, 150
 
 SIDE = 218  # of an enlarged square, in pixels
 
@@ -134,11 +134,11 @@ def draw_parts(
             if (k in bad) == is_bad
         ]
     drawn.append(_draw("container", around, window))
-    for one in [one for one in ranked if one.fault.points][:_MOST_ENLARGED]:
+    for one in [one for one in ranked if one.fault.points][:_MAX_ENLARGED]:
         x, y = window.place(one.fault.points[0])
         drawn.append(f'<circle class="mark" cx="{x:.1f}" cy="{y:.1f}" r="10"/>')
-    labelled = range(len(placed)) if len(placed) <= _MOST_LABELLED else sorted(bad)
-    for k in labelled[:_MOST_LABELLED]:
+    labelled = range(len(placed)) if len(placed) <= _MAX_LABELED else sorted(bad)
+    for k in labelled[:_MAX_LABELED]:
         if inner := find_inner_point(judgement, k) or next(iter(placed[k].list_corners()), None):
             x, y = window.place(inner)
             drawn.append(f'<text class="number" x="{x:.1f}" y="{y + 4.5:.1f}">{k}</text>')
@@ -154,7 +154,7 @@ def enlarge_faults(
 ) -> list[Enlarged]:
     layout = judgement.layout
     found = []
-    shown = [one for one in ranked if one.fault.points][:_MOST_ENLARGED]
+    shown = [one for one in ranked if one.fault.points][:_MAX_ENLARGED]
     for number, one in enumerate(shown, 1):
         fault = one.fault
         points = fault.points

@@ -9,7 +9,7 @@ from exactsweep.formats.exact_json import write_json
 from exactsweep.layout.fault import FaultKind
 from exactsweep.layout.judge import Judgement
 from exactsweep.layout.report.worst import (
-    MOST_MEASURED,
+    MAX_MEASURED,
     NO_CONTEXT,
     ReportContext,
     WorstFirst,
@@ -21,7 +21,7 @@ from exactsweep.text.report import approximate, lay_out, list_facts, make_table,
 from exactsweep.text.results import write_object
 from exactsweep.words import count, spell_out
 
-_MOST_LISTED = 30
+_MAX_LISTED = 30
 
 
 def report_layout(
@@ -65,13 +65,13 @@ def report_layout(
     tables = [list_facts(facts, max(map(len, facts)))]
     if ranked:
         listed = make_table(("", "fault", "where", "how bad", "witness", "repaired by"))
-        for number, one in enumerate(ranked if everything else ranked[:_MOST_LISTED], 1):
-            where, *rest = tell_fault(judgement, one, context, repaired=number <= MOST_MEASURED)
+        for number, one in enumerate(ranked if everything else ranked[:_MAX_LISTED], 1):
+            where, *rest = describe_fault(judgement, one, context, repaired=number <= MAX_MEASURED)
             listed.add_row(str(number), one.fault.kind, where, *rest)
         tables.append(listed)
     text = lay_out(tables, terminal_width)
-    if len(ranked) > _MOST_LISTED and not everything:
-        text += f"... {len(ranked) - _MOST_LISTED} more (--all)\n"
+    if len(ranked) > _MAX_LISTED and not everything:
+        text += f"... {len(ranked) - _MAX_LISTED} more (--all)\n"
     return text + "".join(
         f"note: {note}\n" for note in [*notes, *find_remarks(judgement, ranked, context)]
     )
@@ -100,7 +100,7 @@ def list_measures(
         facts["density"] = exact if rounded == exact else f"{rounded}, exactly {exact}"
     facts["contacts"] = str(len(judgement.contacts))
     if layout.greatest_error:
-        facts["curves"] = tell_error(layout.greatest_error)
+        facts["curves"] = describe_curve_error(layout.greatest_error)
     nearest = judgement.distance
     if nearest is not None and not (judgement.faults or judgement.contacts):
         named = " and ".join(context.name_placement(judgement, k) for k in nearest.placements)
@@ -109,7 +109,7 @@ def list_measures(
     return facts
 
 
-def tell_error(error: Fraction) -> str:
+def describe_curve_error(error: Fraction) -> str:
     return f"flattened within {approximate(error, up=True)}; the verdict holds for the curves"
 
 
@@ -172,7 +172,7 @@ def _round_up(value: Fraction) -> str:
     return approximate(-(-value // unit) * unit)
 
 
-def tell_fault(
+def describe_fault(
     judgement: Judgement,
     one: WorstFirst,
     context: ReportContext = NO_CONTEXT,
@@ -216,7 +216,7 @@ def write_layout_json(
         "accepted": None if context.accepted is None else all(one.accepted for one in ranked),
         "unchecked": list(context.unchecked),
         "faults": [
-            _list_fault(judgement, one, context, measured=k < MOST_MEASURED)
+            _list_fault(judgement, one, context, measured=k < MAX_MEASURED)
             for k, one in enumerate(ranked)
         ],
         "contacts": [list(pair) for pair in judgement.contacts],

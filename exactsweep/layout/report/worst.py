@@ -10,7 +10,7 @@ from exactsweep.numbers.number import ORIGIN
 from exactsweep.text.report import take_root
 from exactsweep.words import spell_out
 
-MOST_MEASURED = 200  # faults, unless all of these are tiny
+MAX_MEASURED = 200  # faults, unless all of these are tiny
 
 # Faults this many times smaller than the layout look like rounding.
 _ROUNDING = 10**6
@@ -73,14 +73,14 @@ def rank_faults(
 ) -> list[WorstFirst]:
     """Sort the faults of a judgement: accepted ones last, then by kind, the worst first.
 
-    At most MOST_MEASURED faults are measured, beginning with the greatest overlaps of boxes; more
+    At most MAX_MEASURED faults are measured, beginning with the greatest overlaps of boxes; more
     if all of these are tiny, and all if some depth is accepted. `tell` is called with the number of
     measured faults and the total.
     """
     order, faults = get_args(FaultKind), judgement.faults
     total = len(faults)
-    if accepted is None and total > MOST_MEASURED:
-        total = MOST_MEASURED
+    if accepted is None and total > MAX_MEASURED:
+        total = MAX_MEASURED
         faults = tuple(sorted(faults, key=lambda f: (order.index(f.kind), -f.box_depth)))
     found, is_tiny = list[WorstFirst](), False
     for k, fault in enumerate(faults):
