@@ -183,7 +183,7 @@ def _sum_up(
     name: str, found: FoundLayout, judgement: Judgement, accept: Fraction | None
 ) -> LayoutRow:
     from exactsweep.layout.report import ReportContext, rank_faults
-    from exactsweep.layout.report.table import list_measures, describe_fault
+    from exactsweep.layout.report.table import describe_fault, list_measures
     from exactsweep.text.report import approximate, take_root
 
     context = ReportContext(found.unchecked, found.places, found.unit, accept)

@@ -154,7 +154,7 @@ def cases_to_svg(cases: Iterable[Case]) -> Iterator[str]:
         s = case.sweep()
         note = f"{case.kind}, {case.size} vertices"
         if not Scale.of(s.outer.vertices, trace_anchor(s).vertices).is_true:
-            note += ", axes scaled apart"
+            note += ", axes not to the same scale"
         yield (
             f'<g transform="translate({x} {y})">\n{draw_sweep(s)}\n'
             f'<text x="12" y="{_HEIGHT - 34}">{escape(case.id)}</text>\n'

@@ -125,7 +125,7 @@ def _make_pair(document: dict[str, object], name: str) -> Case:
     )
     if form is None:
         roles = ", ".join(f"{one.directrix_key} and {one.generatrix_key}" for one in _FORMS)
-        raise FormatError(f"$ is not a pair; it needs one of: {roles}")
+        raise FormatError(f"$ is not a pair; it needs {roles}")
     members = (form.directrix_key, form.generatrix_key, "reference", "id", *form.others)
     for member in document:
         if member not in members:
@@ -156,7 +156,7 @@ def _read_shape(document: dict[str, object], role: str) -> PointRings:
     if not isinstance(holes, list):
         raise FormatError(f"$.{key} is {exact_json.describe_kind(holes)}, not a list of holes")
     if holes and len(rings) > 1:
-        raise FormatError(f"$.{key}: {role} has holes of its own")
+        raise FormatError(f"$.{key}: {role} already has holes")
     return [
         *rings,
         *(exact_json.read_vertices(hole, f"$.{key}[{k}]") for k, hole in enumerate(holes)),

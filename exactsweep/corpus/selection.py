@@ -34,14 +34,14 @@ def read_filters(filters: Iterable[str]) -> dict[str, Any]:
             raise SelectionError(f"{quote(text)} is not id=..., flag=..., class=... or size=...")
         argument = _FILTERS[name]
         if name == "size" and argument in found:
-            raise SelectionError("more than one filter size=...")
+            raise SelectionError("more than one size=... filter")
         found.setdefault(argument, []).append(value)
     if "max_size" in found:
         (size,) = found["max_size"]
         try:
             found["max_size"] = int(size)
         except ValueError:
-            raise SelectionError(f"{quote(size)} is not a number of vertices") from None
+            raise SelectionError(f"{quote(size)} is not an integer number of vertices") from None
     return found
 
 

@@ -66,7 +66,7 @@ def find_radians(layout: Layout) -> list[str]:
 
     >>> found = find_radians(Layout(None, (), (Placement("a", read_turn("3.14159"), ORIGIN),)))
     >>> print(*found)
-    the turn 3.14159 of placement 0 looks like radians: 180 degrees; turns are degrees
+    placement 0: turn 3.14159 looks like radians (180 degrees); turns are in degrees
     """
     for k, placement in enumerate(layout.placements):
         angle = placement.turn.degrees
@@ -76,8 +76,8 @@ def find_radians(layout: Layout) -> list[str]:
         whole = round(degrees)
         if whole and whole % 15 == 0 and abs(degrees - whole) < _NEARLY * 10 and abs(whole) <= 360:
             return [
-                f"the turn {float(angle):.7g} of placement {k} looks like radians: "
-                f"{whole} degrees; turns are degrees"
+                f"placement {k}: turn {float(angle):.7g} looks like radians ({whole} degrees); "
+                "turns are in degrees"
             ]
     return []
 
@@ -111,25 +111,25 @@ def _list_conventions(layout: Layout) -> Iterator[tuple[str, Convention]]:
     def mirror(point: Point) -> Point:
         return Point(point.x, low.y + high.y - point.y)
 
-    yield "turns in radians", turn(_from_radians)
-    yield "clockwise turns", turn(lambda angle: -angle)
+    yield "rotations in radians", turn(_from_radians)
+    yield "clockwise rotations", turn(lambda angle: -angle)
     for name, find in _CENTERS.items():
-        yield f"turns about {name}", _shift_by(find, move=True)
-        yield f"moves that give the position of {name}", _shift_by(find, move=False)
-    yield "moves that give the lower left corner of the rotated box", _from_turned_corner
+        yield f"rotations about {name}", _shift_by(find, move=True)
+        yield f"translations that place {name}", _shift_by(find, move=False)
+    yield "translations that place the lower left corner of the rotated box", _from_turned_corner
     yield "translation before rotation", _move_first
-    yield "parts with Y down", _flip
-    yield "moves with Y down", move(mirror)
-    yield "parts and moves with Y down", lambda part, p: move(mirror)(*_flip(part, p))
+    yield "Y pointing down in parts", _flip
+    yield "Y pointing down in translations", move(mirror)
+    yield "Y pointing down in parts and translations", lambda part, p: move(mirror)(*_flip(part, p))
     yield (
-        "moves with Y down and clockwise turns",
+        "Y pointing down in translations, and clockwise rotations",
         lambda part, p: move(mirror)(part, _turn(p, lambda angle: -angle)),
     )
     yield "rotation before mirroring", turn(lambda angle: -angle, all_of_them=False)
     yield "mirroring in the X axis", turn(lambda a: a + 180, all_of_them=False)
     for scale in _SCALES:
         for factor, times in ((scale, "multiplied by"), (1 / scale, "divided by")):
-            name = f"moves {times} {format_fraction(scale)}"
+            name = f"translations {times} {format_fraction(scale)}"
             yield name, move(lambda at, factor=factor: Point(at.x * factor, at.y * factor))  # type: ignore[misc]
 
 

@@ -202,8 +202,8 @@ class Fault:
             "overlap": f"placements {named} overlap at {at}",
             "outside": f"placement {named} is outside at {at}",
             "too close": f"{near} {named} are too close: squared distance {square}",
-            "missing": f"{placements} of part {self.part} missing",
-            "surplus": f"{placements} of part {self.part} too many",
+            "missing": f"part {self.part}: {placements} missing",
+            "surplus": f"part {self.part}: {placements} too many",
             "shape": f"part {self.part} is not simple: {self.reason}",
             "undecided": f"placements {named}: {self.reason}",
         }

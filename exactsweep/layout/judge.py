@@ -220,11 +220,11 @@ def _judge_rules(layout: Layout) -> Iterator[Fault]:
         placements[placement.part].append(k)
         part = layout.part_by_id[placement.part]
         if not part.allows(placement):
-            only = ", mirrored" if placement.mirrored else ""
-            reason = f"part {part.id} may not be turned by {placement.turn}{only}"
+            kind_of_turn = "mirrored rotation" if placement.mirrored else "rotation"
+            reason = f"part {part.id} forbids {kind_of_turn} by {placement.turn}"
             yield Fault("turn", (k,), part.id, reason)
         if part.mirrored is False and placement.mirrored:
-            yield Fault("mirror", (k,), part.id, f"part {part.id} may not be mirrored")
+            yield Fault("mirror", (k,), part.id, f"part {part.id} forbids mirroring")
     for part in layout.parts:
         its = tuple(placements[part.id])
         if part.shape is None:

@@ -100,7 +100,7 @@ class LayoutPart:
             for name in ("turns", "mirrored_turns")
         )
         if demand is not None and (type(demand) is not int or demand < 0):
-            raise LayoutError(f"{path}.demand is {quote(demand)}, not an integer of 0 or more")
+            raise LayoutError(f"{path}.demand is {quote(demand)}, not a non-negative integer")
         return cls(
             read_id(found["id"], f"{path}.id"),
             exterior,
@@ -301,7 +301,7 @@ def _read_container(
 ) -> tuple[Region | RoundedPiece, Fraction, tuple[Defect, ...]]:
     _, (exterior, holes), pieces, error = _read_shape(data, "container")
     if len(pieces) > 1:
-        raise LayoutError(f"container.pieces has {len(pieces)} pieces; a container has one")
+        raise LayoutError(f"container.pieces has {len(pieces)} pieces, not 1")
     if pieces:
         return pieces[0], error, ()
     alone = _make_region((exterior, ()), "container")

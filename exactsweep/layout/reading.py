@@ -30,7 +30,7 @@ def read_object(
     for name in data:
         if name not in needed and name not in others:
             known = ", ".join([*needed, *others])
-            raise LayoutError(f"{path} has an unknown field {quote(name)}; known: {known}")
+            raise LayoutError(f"{path} has an unknown field {quote(name)}; known fields: {known}")
     return data
 
 
@@ -67,7 +67,7 @@ def read_number(data: object, path: str) -> Fraction:
 def read_gap(data: object, path: str) -> Fraction:
     found = read_number(data, path)
     if found < 0:
-        raise LayoutError(f"{path} is {abridge(found)}, less than 0")
+        raise LayoutError(f"{path} is negative: {abridge(found)}")
     return found
 
 

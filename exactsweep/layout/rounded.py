@@ -44,9 +44,11 @@ class RoundedPiece(NamedTuple):
         radius = read_gap(found.get("radius", 0), f"{path}.radius")
         hull = tuple(find_hull(points)) or points[:1]
         if not hull:
-            raise LayoutError(f"{path}.points has no point")
+            raise LayoutError(f"{path}.points is empty")
         if not radius and len(hull) < _LEAST:
-            raise LayoutError(f"{path} has no interior: radius 0, and points on one line")
+            raise LayoutError(
+                f"{path} has no interior: its radius is 0 and its points are collinear"
+            )
         return cls(hull, radius)
 
     def to_json(self) -> dict[str, Any]:
@@ -84,7 +86,7 @@ BodyShape = Region | tuple[RoundedPiece, ...]  # the shape of a part or a defect
 def read_pieces(data: object, path: str) -> tuple[RoundedPiece, ...]:
     pieces = read_list(data, path, RoundedPiece.from_json)
     if not pieces:
-        raise LayoutError(f"{path} has no piece")
+        raise LayoutError(f"{path} is empty")
     return pieces
 
 

@@ -99,7 +99,7 @@ def test_a_wrong_convention_is_named(tmp_path: Path) -> None:
     ]
     file = tmp_path / "ten.json"
     file.write_text(json.dumps(data), encoding="utf-8")
-    said = "note: with moves divided by 10, 0 of 5 faults remain\n"
+    said = "note: with translations divided by 10, 0 of 5 faults remain\n"
     assert said in run("layout", str(file)).stdout
 
 
@@ -140,7 +140,7 @@ def test_refusals_name_the_file(tmp_path: Path) -> None:
     data = find_layout_case("layouts-all-at-once").data
     file.write_text(json.dumps({**data, "spacing": "-1"}), encoding="utf-8")
     done = run("layout", str(file))
-    assert done.stderr == f"Error: {file}: spacing is -1, less than 0\n"
+    assert done.stderr == f"Error: {file}: spacing is negative: -1\n"
 
 
 @pytest.mark.parametrize(

@@ -145,7 +145,9 @@ def test_missing_parts_are_unsupported_unless_promised() -> None:
 
 def test_a_wrong_case_is_detected() -> None:
     lying = replace(CASE, trajectory=CASE.trajectory.translated((1, 0)))
-    with pytest.raises(WitnessError, match="case slot: its trajectory is refuted near"):
+    with pytest.raises(
+        WitnessError, match="case slot: the definition contradicts its trajectory near"
+    ):
         compare(lying, {"trajectory": CASE.trajectory.vertices})
 
 

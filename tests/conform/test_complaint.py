@@ -143,7 +143,7 @@ def test_crashes_of_one_program_are_distinguished() -> None:
     ("one", "other"),
     [
         ("KeyError: 'a'", "KeyError: 'it is 7'"),
-        ("answers 'x-1', which was not asked", "answers null, which was not asked"),
+        ("answers 'x-1', which was not sent", "answers null, which was not sent"),
         ("$.trajectory[3] has 3 coordinates", "$.trajectory[12] has 3 coordinates"),
         ('bad "0.5" at 3', 'bad "1e9" at 4'),
     ],

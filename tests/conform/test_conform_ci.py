@@ -57,7 +57,7 @@ def test_annotations_are_lines_of_the_worst_faults() -> None:
     run = conform(lambda d, g, r: d, CASES, name="a,b: c")
     assert write_annotations(run).count("%0Aat (") == 1
     run = conform(answer, [], name="a,b: c")
-    assert write_annotations(run) == "::error title=a%2Cb%3A c::nothing was judged\n"
+    assert write_annotations(run) == "::error title=a%2Cb%3A c::no case was judged\n"
 
 
 @pytest.mark.long

@@ -72,4 +72,4 @@ def test_a_failure_at_the_end_is_a_failure(two: str) -> None:
 
 def test_cases_come_from_standard_input(two: str) -> None:
     done = run("conform", "--cases", "-", "--", *CORRECT, stdin=Path(two).read_text())
-    assert "\ncorrect: passed, 2 of 2 cases judged, 0 worse" in done.stdout
+    assert "\ncorrect: passed, 2 of 2 cases judged, no failures" in done.stdout

@@ -81,7 +81,7 @@ def test_all_faults_are_tried() -> None:
 def test_a_second_answer_spoils_the_next_case_and_not_the_one_after(peer: ProcessPeer) -> None:
     first, second, third = (judge_case(peer, CASES[name]) for name in ("notch", "slot", "notch"))
     assert [first.verdict, second.verdict, third.verdict] == ["exact", "malformed", "exact"]
-    assert "answers 'notch', which was not asked" in second.reason
+    assert "answers 'notch', which was not sent" in second.reason
 
 
 @pytest.mark.parametrize("peer", ["crash"], indirect=True)
@@ -117,7 +117,7 @@ def test_the_correct_one_is_exact_where_it_is_asked(step: int) -> None:
         expected = Verdict.UNSUPPORTED if case.kind == "SS" else Verdict.EXACT
         assert outcome.verdict is expected, outcome
         if case.kind == "SS":
-            assert outcome.reason.startswith("not asked: the program takes monotone pairs")
+            assert outcome.reason.startswith("skipped: the program accepts only monotone pairs")
 
 
 @few_or_all

@@ -69,14 +69,14 @@ def test_on_symmetric_shapes_exchanged_roles_come_before_another_reference_point
     (ring,) = list_exact_rings(case, "no_fit")
     turned = [Point(Fraction(2, 3) - x, 4 - y) for x, y in ring]
     found = say(case, "no_fit", [turned])
-    assert found[0] == "exact for exchanged roles, D around G"
+    assert found[0] == "exact for exchanged roles: D around G"
     assert any("translated by" in words for words in found)
     for (px, py), name in (((1, 1), "first"), ((3, 2), "rightmost")):
         turned = [Point(Fraction(1, 3) + px - x, 2 + py - y) for x, y in ring]
         first, *others = say(case, "no_fit", [turned])
         assert (
             first
-            == f"exact for exchanged roles, D around G, and for G's {name} vertex as reference"
+            == f"exact for exchanged roles: D around G, and for G's {name} vertex as reference"
         )
         assert any(words.startswith("exact for another reference point:") for words in others)
 

@@ -147,5 +147,5 @@ def test_another_hello_after_a_restart_is_no_answer(tmp_path: Path) -> None:
     )
     peer = ProcessPeer(Terms([sys.executable, str(program)]))
     assert judge_case(peer, CASE).reason == "exited with code 0"
-    assert judge_case(peer, CASE).reason == "did not start again: its hello changed after a restart"
+    assert judge_case(peer, CASE).reason == "cannot be restarted: the hello changed after a restart"
     peer.kill()

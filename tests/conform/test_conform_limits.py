@@ -100,7 +100,7 @@ def test_undecided_cases_neither_fail_nor_pass() -> None:
     assert report.passed
     assert report.summary.failures(Verdict.EXACT) == 0
     report.least_judged = Fraction(3, 4)
-    assert report.find_objections() == ["only 1 of 2 cases judged, too few"]
+    assert report.find_objections() == ["only 1 of 2 cases judged, fewer than required"]
 
 
 # Memory.
@@ -153,13 +153,13 @@ def test_too_much_memory_is_a_verdict(tmp_path: Path) -> None:
     ]
     peer.kill()
     assert [outcome.verdict for outcome in verdicts] == ["memory", "unsupported", "memory"]
-    assert verdicts[0].reason == "holds more than 150.0 MiB"
+    assert verdicts[0].reason == "uses more than 150.0 MiB"
 
 
 @needs_proc
 def test_too_much_memory_ends_the_wait_for_an_answer(tmp_path: Path) -> None:
     judged = judge_case(hold(tmp_path, 150 * MIB), Case.of("keep-300", "", SQUARE, SQUARE))
-    assert judged.reason == "holds more than 150.0 MiB"
+    assert judged.reason == "uses more than 150.0 MiB"
 
 
 @pytest.mark.long
@@ -171,7 +171,7 @@ def test_memory_is_limited_and_reported(tmp_path: Path) -> None:
     report = json.loads(data.read_text())
     assert min(outcome["memory"] for outcome in report["outcomes"]) > MIB
     said = refusal(run("conform", *options, "--memory", "1", "--", *CORRECT))
-    assert said == "no hello: holds more than 1.0 MiB"
+    assert said == "no hello: uses more than 1.0 MiB"
 
 
 # Messages about missing options.

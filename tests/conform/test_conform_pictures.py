@@ -48,7 +48,7 @@ def test_a_small_error_is_shown_again_enlarged() -> None:
     low = -1 - Fraction(1, 10**20)
     whole, enlarged = draw_panels(outcome_of(case, [(-1, low), (1, -1), (1, 1), (-1, 1)]))
     assert in_sight(whole, "theirs")
-    assert re.fullmatch(r"2\.9\d*e\+19 times larger, at the witness", enlarged.caption)
+    assert re.fullmatch(r"magnified 2\.9\d*e\+19 times at the witness", enlarged.caption)
     assert not in_sight(enlarged, "exact")
     assert enlarged.witness == (SIDE / 2, SIDE / 2)
 
@@ -58,14 +58,14 @@ def test_an_error_beyond_floats_is_enlarged_too(error: str) -> None:
     case = Case.of("a", "", SQUARE, SQUARE)
     low = -1 - Fraction(error)
     _, enlarged = draw_panels(outcome_of(case, [(-1, low), (1, -1), (1, 1), (-1, 1)]))
-    assert "times larger, at the witness" in enlarged.caption
+    assert "times at the witness" in enlarged.caption
 
 
 def test_a_thin_ring_is_not_a_line() -> None:
     needle = [(0, 0), (10**9, 0), (10**9, 1)]
     case = Case.of("a", "", needle, needle)
     (panel, *_) = draw_panels(outcome_of(case, [(0, 0), (1, 0), (0, 1)]))
-    assert panel.caption == "trajectory; not to scale: each axis has a unit of its own"
+    assert panel.caption == "trajectory; not to scale: the axes have different units"
     _, ys = zip(*places(panel, "exact"), strict=True)
     assert max(ys) - min(ys) > SIDE / 2
 
@@ -74,7 +74,7 @@ def test_a_far_answer_does_not_hide_the_rest() -> None:
     case = Case.of("a", "", SQUARE, SQUARE)
     whole, near = draw_panels(outcome_of(case, [(-1, -1), (10**9, -1), (1, 1), (-1, 1)]))
     assert in_sight(near, "exact")
-    assert near.caption.endswith("larger, at D")
+    assert near.caption.endswith("times at D")
     xs, _ = zip(*places(near, "exact"), strict=True)
     assert max(xs) - min(xs) > SIDE / 2
     assert whole.witness is not None

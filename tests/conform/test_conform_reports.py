@@ -45,7 +45,7 @@ def test_twenty_kinds_of_failures_are_listed_and_others_counted() -> None:
     run = Run(Hello("mine"))
     for k in range(23):
         run.add(Outcome(f"a{k}", "CC", (), Verdict.CRASH, fault=f"kind {k}"))
-    assert "\n... and 3 failures of 3 other kinds\n" in close(run)
+    assert "\n... and 3 other failures of 3 kinds\n" in close(run)
 
 
 @pytest.mark.long

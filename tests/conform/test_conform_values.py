@@ -115,7 +115,7 @@ def test_filters_may_be_repeated() -> None:
     assert {name.partition("-")[0] for name in chosen} == {"fits", "worked"}
     both = read_filters(["flag=exact-fit", "flag=undercut"])
     assert [c for c in few if {"exact-fit", "undercut"} <= {*c.flags}] == [*select(few, **both)]
-    with pytest.raises(SelectionError, match="more than one filter size"):
+    with pytest.raises(SelectionError, match="more than one size="):
         read_filters(["size=1", "size=2"])
 
 

@@ -233,7 +233,7 @@ def test_a_neck_closed_by_rounding_is_named() -> None:
     rings = [[[float(c) for c in p] for p in ring] for ring in list_exact_rings(PINCH, "no_fit")]
     part = judge(case, rings, "no_fit", numbers="binary64")
     assert part.verdict is Verdict.WITHIN
-    assert part.reason.startswith("rounded, the rounding parts two holes at (")
+    assert part.reason.startswith("rounded, the rounding separates two holes at (")
 
 
 # Diagnoses.

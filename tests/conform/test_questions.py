@@ -117,7 +117,7 @@ def test_positions_that_reach_out_of_a_container_are_unsound_with_a_witness() ->
     for outcome in run.show():
         (part,) = (part for part in outcome.parts if part["name"] == "inner_fit")
         assert part["unsound"]["classified"] == "OVERLAP"
-        assert "reaches out of D" in part["unsound"]["says"]
+        assert "extends beyond D" in part["unsound"]["says"]
         case = next(case for case in CHOSEN if case.id == outcome.id)
         # The point is in G there, and not in D: outside, or in a hole.
         moved = case.generatrix.translated(part["unsound"]["translation"])
@@ -140,7 +140,7 @@ def test_roles_exchanged_are_diagnosed_in_any_shape() -> None:
     chosen = [case for case in CHOSEN if case.kind == "SS" and case.holes]
     run = conform(exchanged, chosen, name="x", questions=["no_fit"], shapes="any")
     assert run.summary.diagnosis() == (
-        f"all {len(chosen)} answers that differ: exact for exchanged roles, D around G"
+        f"all {len(chosen)} differing answers: exact for exchanged roles: D around G"
     )
 
 
@@ -152,7 +152,7 @@ def test_a_hello_without_questions_gets_sweeps() -> None:
     line = json.loads(write_case_line(notch, said))
     assert list(line) == ["id", "class", "directrix", "generatrix", "reference", "ask"]
     assert line["ask"] == ["trajectory"]
-    with pytest.raises(ValueError, match=r"^not asked: the program takes monotone pairs only$"):
+    with pytest.raises(ValueError, match=r"^skipped: the program accepts only monotone pairs$"):
         adapt(plate, said)
 
 
@@ -198,7 +198,7 @@ def test_nobody_is_asked_of_more_than_he_claims(shapes: str, kinds: set[str]) ->
 
 def test_inner_fits_are_asked_where_the_case_has_them() -> None:
     roof = find_case("worked-roof")
-    with pytest.raises(ValueError, match="not asked: the case is not one of an inner fit"):
+    with pytest.raises(ValueError, match="skipped: the case has no inner fit"):
         adapt(roof, Hello("x", (), questions=("inner_fit",), shapes="any"))
     # An answer to a question that was not asked is ignored.
     assert (

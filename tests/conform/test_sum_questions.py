@@ -145,7 +145,7 @@ def test_a_slit_may_be_traced_or_omitted() -> None:
 def test_a_number_whose_negative_is_too_large_is_not_asked() -> None:
     case = Case.of("edge", "", SQUARE, [(-(2**31), 0), (1, 0), (0, 1)])
     asked = Hello("mine", (), "int32", questions=("minkowski_sum",))
-    with pytest.raises(UnsupportedError, match="int32 does not hold the case"):
+    with pytest.raises(UnsupportedError, match="int32 cannot represent the case"):
         adapt(case, asked)
     assert adapt(case, Hello("mine", (), "int64", questions=("minkowski_sum",))) is case
 

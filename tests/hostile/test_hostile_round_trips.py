@@ -140,7 +140,7 @@ def test_answers_are_read_by_all_commands(
             result = run(*arguments, stdin=answers)
             assert not result.stderr, (arguments, result.stderr[-300:])
             # The program takes monotone polygons only.
-            is_asked = s.kind != "SS" or "nothing was judged" not in result.output
+            is_asked = s.kind != "SS" or "no case was judged" not in result.output
             assert (result.exit_code == 0) == is_asked, (arguments, result.output[-300:])
         assert case_from_json(json.loads(json.dumps(case_to_json(case)))) == case
 

@@ -58,13 +58,16 @@ def turned_back(turn: str, x: int, y: int) -> dict[str, Any]:
 @pytest.mark.parametrize(
     ("write", "said"),
     [
-        (lambda turn, x, y: place(f"-{turn}", x, y), "clockwise turns"),
-        (lambda turn, x, y: place(turn, x, 4 - y), "moves with Y down"),
-        (lambda turn, x, y: place(f"-{turn}", x, 4 - y), "moves with Y down and clockwise turns"),
-        (lower_left, "moves that give the lower left corner of the rotated box"),
+        (lambda turn, x, y: place(f"-{turn}", x, y), "clockwise rotations"),
+        (lambda turn, x, y: place(turn, x, 4 - y), "Y pointing down in translations"),
+        (
+            lambda turn, x, y: place(f"-{turn}", x, 4 - y),
+            "Y pointing down in translations, and clockwise rotations",
+        ),
+        (lower_left, "translations that place the lower left corner of the rotated box"),
         (turned_back, "translation before rotation"),
-        (place, "parts with Y down"),
-        (lambda turn, x, y: place(turn, x, 4 - y), "parts and moves with Y down"),
+        (place, "Y pointing down in parts"),
+        (lambda turn, x, y: place(turn, x, 4 - y), "Y pointing down in parts and translations"),
     ],
 )
 def test_the_convention_is_named(write: Callable[..., Any], said: str) -> None:
@@ -77,11 +80,13 @@ def test_the_convention_is_named(write: Callable[..., Any], said: str) -> None:
 
 @pytest.mark.parametrize("scale", ["10", "100", "1000", "127/5", "480/127", "360/127"])
 def test_other_units_are_named(scale: str) -> None:
-    """Powers of ten, millimetres for inches, and units of 1/96 and 1/72 inch for centimetres."""
+    """Powers of ten, millimeters for inches, and units of 1/96 and 1/72 inch for centimeters."""
     for factor, times in ((Fraction(scale), "divided by"), (1 / Fraction(scale), "multiplied by")):
         placed = [place(turn, x * factor, y * factor) for turn, (x, y) in PLACED]
         notes = diagnose(judge_layout(layout(placed)))
-        assert any(note.startswith(f"with moves {times} {scale}, 0 of ") for note in notes), notes
+        assert any(
+            note.startswith(f"with translations {times} {scale}, 0 of ") for note in notes
+        ), notes
 
 
 @pytest.mark.parametrize("digits", [7, 8, 17])
@@ -92,7 +97,7 @@ def test_radians_are_named(digits: int) -> None:
     placed = [place(turn, *at) for turn, (_, at) in zip(turns, PLACED, strict=True)]
     judgement = judge_layout(layout(placed))
     assert not judgement.valid
-    assert diagnose(judgement)[0].startswith("with turns in radians, 0 of ")
+    assert diagnose(judgement)[0].startswith("with rotations in radians, 0 of ")
 
 
 COSINE_AND_SINE = {"0": (1, 0), "90": (0, 1), "180": (-1, 0), "270": (0, -1)}
@@ -104,7 +109,7 @@ CENTERS: dict[str, tuple[Rational, Rational]] = {
 }
 
 
-@pytest.mark.parametrize("said", ["turns about {}", "moves that give the position of {}"])
+@pytest.mark.parametrize("said", ["rotations about {}", "translations that place {}"])
 @pytest.mark.parametrize("center", CENTERS)
 def test_another_center_is_named(center: str, said: str) -> None:
     # The part is L moved by (-1, -4), from its fourth vertex on.
@@ -115,7 +120,7 @@ def test_another_center_is_named(center: str, said: str) -> None:
         c, s = COSINE_AND_SINE[turn]
         # L at (x, y) turns about its origin, R (u + 1, v + 4) from where the center is.
         at = x + c * (u + 1) - s * (v + 4), y + s * (u + 1) + c * (v + 4)
-        back = (u, v) if said.startswith("turns") else (0, 0)
+        back = (u, v) if said.startswith("rotations") else (0, 0)
         placed.append(place(turn, at[0] - back[0], at[1] - back[1]))
     judgement = judge_layout(layout(placed, part))
     assert not judgement.valid

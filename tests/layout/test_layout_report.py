@@ -73,7 +73,7 @@ def test_a_valid_layout_says_how_near_it_is() -> None:
         ("overlap-1e-30", "1e-30 deep"),
         ("too-large", "no free position at this rotation"),
         ("bow-tie", "the boundary crosses itself"),
-        ("turn-forbidden", "part tile may not be turned by 90 degrees"),
+        ("turn-forbidden", "part tile forbids rotation by 90 degrees"),
         ("missing-all", "part bar  2 placements"),
         ("angle-45-undecided", "undecided within"),
         ("margin-missed", "0.125 apart"),
@@ -133,7 +133,7 @@ def test_many_tiny_faults_look_like_rounding(monkeypatch: pytest.MonkeyPatch) ->
     places = [{"part": "t", "move": [str(k * (1 - Fraction(1, 10**9))), 0]} for k in range(9)]
     layout = {"parts": [{"id": "t", "exterior": tile}], "placements": places}
     text = report_layout(judge_layout(Layout.from_json(layout)))
-    assert "note: 8 overlaps, all at most 1e-9 deep: rounding? (--accept 1e-9" in text
+    assert "note: 8 overlaps, all at most 1e-9 deep: possibly rounding; --accept 1e-9" in text
 
 
 def test_witnesses_far_from_the_origin_have_the_digits_of_the_layout() -> None:

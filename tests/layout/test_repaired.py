@@ -101,7 +101,7 @@ def test_the_command_writes_a_repaired_layout(tmp_path: Path) -> None:
     done = run("layout", str(path), "--repair", str(fixed))
     assert done.exit_code == 1
     assert re.search(r"moved by at most 0.0000010\d*; judged valid\n", done.stdout)
-    assert "rounding? (--accept 0.000001 accepts it)" in done.stdout
+    assert "possibly rounding; --accept 0.000001 accepts this" in done.stdout
     assert judge_layout(Layout.from_json(json.loads(fixed.read_text()))).valid
     assert run("layout", str(fixed)).exit_code == 0
     assert run("layout", str(path), "--accept", "1e-6").exit_code == 0

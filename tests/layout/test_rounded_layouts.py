@@ -176,8 +176,8 @@ def test_errors_leave_rounded_pieces_undecided() -> None:
 @pytest.mark.parametrize(
     ("pieces", "message"),
     [
-        ([], "parts[0].pieces has no piece"),
-        ([{"points": []}], "parts[0].pieces[0].points has no point"),
+        ([], "parts[0].pieces is empty"),
+        ([{"points": []}], "parts[0].pieces[0].points is empty"),
         ([{"points": [["0", "0"], ["1", "1"]]}], "parts[0].pieces[0] has no interior"),
         ([{"points": UNIT, "radius": "-1"}], "parts[0].pieces[0].radius"),
         ([{"points": UNIT, "width": "1"}], "parts[0].pieces[0] has an unknown field 'width'"),
@@ -192,7 +192,7 @@ def test_pieces_without_an_interior_are_rejected(pieces: Any, message: str) -> N
 
 def test_a_container_has_one_piece() -> None:
     two = {"pieces": [piece([(0, 0)], 1), piece([(0, 0)], 2)]}
-    with pytest.raises(LayoutError, match="a container has one"):
+    with pytest.raises(LayoutError, match="pieces, not 1"):
         Layout.from_json({"container": two, "parts": [], "placements": []})
 
 

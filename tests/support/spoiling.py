@@ -336,7 +336,7 @@ AXES = {
     "y is negated": (1, 0, 0, -1),
     "x is negated": (-1, 0, 0, 1),
     "x and y are exchanged": (0, 1, 1, 0),
-    "a quarter turn to the left": (0, -1, 1, 0),
-    "a quarter turn to the right": (0, 1, -1, 0),
+    "rotated by 90 degrees": (0, -1, 1, 0),
+    "rotated by -90 degrees": (0, 1, -1, 0),
 }
 """Axes mistaken for others, by the messages on them."""

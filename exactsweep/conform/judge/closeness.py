@@ -248,7 +248,7 @@ def describe_merge(
     left = list[Sequence[Point]](theirs)
     missing = list(match_rings(exact, left, rounding))
     is_joined = len(missing) > len(left)
-    several, verb = (missing, "joins") if is_joined else (left, "parts")
+    several, verb = (missing, "joins") if is_joined else (left, "separates")
     has_outer = name != "inner_fit" and exact[0] in missing
     what = "rings" if has_outer or name == "inner_fit" else "holes"
     for k, ring in enumerate(several):

@@ -156,13 +156,13 @@ def judge_loop(case: Case, name: str, loop: AnsweredLoop, rounding: Fraction) ->
     is_bridged = are_bridges(others, [*boundary.solid, *on_fits])
     if is_bridged and boundary.solid == right.solid:
         kind = "whisker" if on_fits else ""
-        reason = "exact fits are traced by the loop" if kind else ""
+        reason = "the loop traces exact fits" if kind else ""
         return _same(name, Verdict.EQUIVALENT, reason, kind), on_fits
     traced = match_rounded(boundary, right, fits, rounding)
     if traced is not None:
         plain = tuple(trace_rings(boundary))
         joint = describe_merge(exact, plain, name, rounding)
-        phrases = ("rounded", "exact fits traced by the loop" if traced else "", joint)
+        phrases = ("rounded", "the loop traces exact fits" if traced else "", joint)
         part = replace(
             _measure(case, name, plain, None, (), rounding, is_rounded=True),
             verdict=Verdict.WITHIN,
@@ -259,10 +259,12 @@ def _judge_difference(
     if lost and extra:
         return Verdict.WRONG, f"neither contains the exact {loop_name} nor lies inside it"
     if not is_whole:
-        rest = "too many edges cross for the rest to be compared"
-        return Verdict.WRONG, f"not the exact {loop_name}, and {rest}"
+        rest = "too many edges cross to compare the rest"
+        return Verdict.WRONG, f"not the exact {loop_name}; {rest}"
     reason = (
-        f"part of the exact {loop_name} is missing" if lost else f"more than the exact {loop_name}"
+        f"part of the exact {loop_name} is missing"
+        if lost
+        else f"extends beyond the exact {loop_name}"
     )
     permits_overlap = bool(lost) != (name == "inner_fit")
     return Verdict.UNSOUND if permits_overlap else Verdict.CONSERVATIVE, reason

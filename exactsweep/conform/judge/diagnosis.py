@@ -79,7 +79,7 @@ def diagnose(case: Case, name: str, rings: PointRings, rounding: Fraction) -> tu
     if rounding and theirs.equal(exact, _NEARLY):
         # Such an error could be mistaken for another reference point or scale.
         named = spoilt or tuple(_name_vertices(exact, rings))
-        return *named, f"exact except for {_NEARLY} times the rounding granted"
+        return *named, f"exact except for {_NEARLY} times the permitted rounding"
     found = [*_other_loops(theirs)]
     if name in _POSITIONS and exact and not found:
         found += [*spoilt, *_other_positions(theirs)]
@@ -133,7 +133,7 @@ def _name_vertices(exact: PointRings, theirs: PointRings) -> Iterator[str]:
     elif not added:
         yield f"lacks {'one vertex' if len(missing) == 1 else 'vertices'}, the others are exact"
     elif not missing:
-        yield "has all vertices of the exact one, and more"
+        yield "has all exact vertices, and more"
 
 
 def _other_loops(theirs: _DiagnosedRings) -> Iterator[str]:
@@ -193,19 +193,19 @@ def _other_positions(theirs: _DiagnosedRings) -> list[str]:
 # Diagnoses in terms of a Minkowski sum of a = D and b = -G.
 _SUMS = {
     "D + G, G not reflected": "exact for a + (-b), b reflected",
-    "exchanged roles, D around G": "exact for -(a + b)",
+    "exchanged roles: D around G": "exact for -(a + b)",
     "D itself": "a itself",
     "G itself": "-b",
 }
 _GIVEN = "the reference point given"
 _USUAL = ("G's first vertex as reference", "G's origin as reference")
 _AXES = {
-    "exchanged roles, D around G": (-1, 0, 0, -1),
+    "exchanged roles: D around G": (-1, 0, 0, -1),
     "other axes: y is negated": (1, 0, 0, -1),
     "other axes: x is negated": (-1, 0, 0, 1),
     "other axes: x and y are exchanged": (0, 1, 1, 0),
-    "other axes: a quarter turn to the left": (0, -1, 1, 0),
-    "other axes: a quarter turn to the right": (0, 1, -1, 0),
+    "other axes: rotated by 90 degrees": (0, -1, 1, 0),
+    "other axes: rotated by -90 degrees": (0, 1, -1, 0),
 }
 
 
@@ -237,7 +237,7 @@ def _name_offsets(theirs: _DiagnosedRings, offset: Point) -> Iterator[str]:
         "G's origin as reference": ORIGIN,
         "the reference point negated": subtract(ORIGIN, case.reference),
         "the lower left corner of G's box as reference": low,
-        "the centre of G's box as reference": find_middle(low, high),
+        "the center of G's box as reference": find_middle(low, high),
         "G's centroid as reference": find_centroid(ring),
         "the mean of G's vertices as reference": Point(*(add_up(c) / len(ring) for c in columns)),
         "G's last vertex as reference": ring[-1],

@@ -47,8 +47,8 @@ def judge_fits(
         return PartComparison(name, Verdict.EXACT)
     given = [*theirs, *whiskers]
     if not subtract_fits(given, fits)[1] and not subtract_fits(fits, given)[1]:
-        kind = "whisker" if whiskers else "given twice or in pieces"
-        reason = "traced as whiskers of the loop" if whiskers else kind
+        kind = "whisker" if whiskers else "repeated or split"
+        reason = "traced by the loop as whiskers" if whiskers else kind
         return PartComparison(name, Verdict.EQUIVALENT, reason, kind=kind)
     missing = [f for f in fits if frozenset(f) not in answered]
     others = [f for f in given if frozenset(f) not in exact]
@@ -57,7 +57,7 @@ def judge_fits(
     others = [f for f in others if not (rounded and covers(rounded, [f], rounding))]
     differences = _count_differences(missing, others)
     if twice := len(answered) - len(set(answered)):
-        differences["given twice"] = twice
+        differences["repeated"] = twice
     if rounded:
         differences["rounded"] = len(rounded)
     far = [fit for fit in others if not (rounding and covers(fits, [fit], rounding))]
@@ -71,10 +71,10 @@ def judge_fits(
     kind = ", ".join(differences)
     listed = ", ".join(f"{count(number, 'exact fit')} {how}" for how, number in differences.items())
     if overlap is not None:
-        reason = f"an answered exact fit overlaps: {listed}"
+        reason = f"G overlaps D at an answered exact fit: {listed}"
         return PartComparison(name, Verdict.UNSOUND, reason, unsound=overlap, kind=kind)
     if shown:
-        reason = f"an answered exact fit is none: {listed}"
+        reason = f"an answered exact fit is false: {listed}"
         verdict = Verdict.FALSE_EXACT_FITS
         return PartComparison(name, verdict, reason, conservative=shown[0], kind=kind)
     missed = (show(find_middle(*fit), "a missing") for fit in missing)

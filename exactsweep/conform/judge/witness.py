@@ -46,13 +46,13 @@ FITS_OF = {"trajectory": NAME, "no_fit": NAME, SUM: NAME, "inner_fit": INSIDE}
 
 _DOES = {
     "FREE": "does not touch D",
-    "CONTACT": "touches D and does not overlap it",
+    "CONTACT": "touches D without overlap",
     "OVERLAP": "overlaps D",
 }
 _DOES_INSIDE = {
     "FREE": "lies inside D",
     "CONTACT": "lies inside D and touches its boundary",
-    "OVERLAP": "reaches out of D",
+    "OVERLAP": "extends beyond D",
 }
 _SEVERITY = tuple(_DOES)
 
@@ -101,7 +101,9 @@ def find_witness(case: Case, name: str, theirs: PointRings, cells: Iterable[Trap
             return replace(
                 found, says=f"{found.says}; it is {side} the answered {LOOP_NAMES[name]}"
             )
-    raise WitnessError(f"case {case.id}: its {name} is refuted near {write_pair(point)}")
+    raise WitnessError(
+        f"case {case.id}: the definition contradicts its {name} near {write_pair(point)}"
+    )
 
 
 def is_inside(point: Point, rings: PointRings) -> bool:
@@ -141,7 +143,7 @@ def _find_position_witness(case: Case, position: Point, missed: bool, name: str)
     found = at_position(case, position, inside=is_inside)
     holes = case.holes if name == "trajectory" and missed else ()
     if any(point_in_polygon(position, hole) >= 0 for hole in holes):
-        return replace(found, says=f"{found.says}, and cannot get there from outside")
+        return replace(found, says=f"{found.says}, but cannot reach this position from outside")
     return found if found.classified == ("FREE" if missed == is_inside else "OVERLAP") else None
 
 
@@ -157,7 +159,7 @@ def _find_inner_witness(case: Case, point: Point, permitted: bool) -> Witness | 
     if permitted and case.kind == "SS":
         if escapes and classify(positions, onto, (0, 0)).verdict == "OVERLAP":
             return None
-        return Witness(f"no position on the trajectory covers {write_pair(point)}", point=point)
+        return Witness(f"on the trajectory, G never covers {write_pair(point)}", point=point)
     if not permitted:
         if not escapes:
             return None
@@ -168,7 +170,7 @@ def _find_inner_witness(case: Case, point: Point, permitted: bool) -> Witness | 
     # All positions are witnesses; the largest cell has short coordinates.
     t = next(max(find_differences(onto.rings, []), key=lambda cell: cell.area).points())
     found = _cover_point(case, point, t)
-    return found and replace(found, says=f"{found.says}, as at all positions over that point")
+    return found and replace(found, says=f"{found.says}, as wherever it covers that point")
 
 
 def _find_outer_witness(case: Case, point: Point, permitted: bool) -> Witness | None:
@@ -176,7 +178,7 @@ def _find_outer_witness(case: Case, point: Point, permitted: bool) -> Witness | 
     if not permitted:
         if classify(positions, onto, (0, 0)).verdict == "OVERLAP":
             return None
-        return Witness(f"at all positions over {write_pair(point)} G {_DOES['FREE']}", point=point)
+        return Witness(f"wherever G covers {write_pair(point)}, it {_DOES['FREE']}", point=point)
     for t in _on_boundary(positions, onto):
         return _cover_point(case, point, t)
     for shape, name in (

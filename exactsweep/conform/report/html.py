@@ -20,7 +20,7 @@ from exactsweep.canvas.svg import write_path
 from exactsweep.canvas.window import Window
 from exactsweep.conform.judge.verdict import AnswerError, Verdict, read_loop
 from exactsweep.conform.judge.witness import FITS_OF, PART_NAMES, SUM, add, list_exact_rings
-from exactsweep.conform.report.text import describe_witness
+from exactsweep.conform.report.text import count_failures, describe_witness
 from exactsweep.conform.report.unit_test import guess_language, write_unit_test
 from exactsweep.conform.run.outcome import Outcome, list_witnesses
 from exactsweep.conform.run.peer import replace_controls
@@ -34,7 +34,7 @@ from exactsweep.text.template import make_environment
 _MAX_LISTED = 2000
 _KEY = (
     ("directrix", "D"),
-    ("generatrix", "G, at the witness if it is a position"),
+    ("generatrix", "G, placed at the witness if that is a position"),
     ("exact", "exact"),
     ("theirs", "theirs"),
 )
@@ -71,7 +71,6 @@ def write_html(run: Run) -> str:
     template = files("exactsweep.conform.report").joinpath("report.html.j2")
     failed = (outcome for outcome in run.list_outcomes() if fails(outcome.verdict, run.accepted))
     summary = run.summary
-    failures = summary.failures(run.accepted)
     return environment.from_string(template.read_text(encoding="utf-8")).render(
         run=run,
         summary=summary,
@@ -82,9 +81,9 @@ def write_html(run: Run) -> str:
         key=_KEY,
         most_shown=SHOWN,
         answers=[PART_NAMES[q] for q in (*run.hello.loops, *run.hello.questions) if q != "sweep"],
-        failures=failures,
+        failures=count_failures(run),
         failed=islice(failed, _MAX_LISTED),
-        more=max(0, failures - _MAX_LISTED),
+        more=max(0, summary.failures(run.accepted) - _MAX_LISTED),
     )
 
 
@@ -139,13 +138,13 @@ def draw_panels(outcome: Outcome) -> list[Panel]:
     drawn = [_panel(scene, whole, PART_NAMES[name])]
     near = _around(scene.points("directrix", "exact"))
     if whole.longest > _WORTH_ZOOMING * near.longest:
-        drawn.append(_panel(scene, near, f"{_times(whole.longest / near.longest)} larger, at D"))
+        drawn.append(_panel(scene, near, f"magnified {_times(whole.longest / near.longest)} at D"))
     if scene.error and scene.witness and whole.longest > _WORTH_ZOOMING * scene.error:
         x, y = scene.witness
         half = _ZOOM * scene.error
         zoomed = Window(x - half, y - half, x + half, y + half, SIDE, SIDE)
         times = _times(whole.longest / zoomed.longest)
-        drawn.append(_panel(scene, zoomed, f"{times} larger, at the witness"))
+        drawn.append(_panel(scene, zoomed, f"magnified {times} at the witness"))
     return drawn
 
 
@@ -198,7 +197,7 @@ def _around(points: Iterable[Point]) -> Window:
 
 def _panel(scene: _Scene, window: Window, caption: str) -> Panel:
     if not window.is_true:
-        caption += "; not to scale: each axis has a unit of its own"
+        caption += "; not to scale: the axes have different units"
     paths = {
         name: write_path((map(window.place, ring) for ring in rings), closed=closed)
         for name, rings, closed in scene.layers

@@ -93,7 +93,9 @@ def close(run: Run) -> str:
         lines.append(f"{smallest.verdict}  {cut(smallest.id)}  {smallest.reason}{more}")
     if len(faults) > _LISTED:
         rest = sum(fault.count for fault in faults[_LISTED:])
-        lines.append(f"... and {count(rest, 'failure')} of {len(faults) - _LISTED} other kinds")
+        lines.append(
+            f"... and {count(rest, 'other failure')} of {count(len(faults) - _LISTED, 'kind')}"
+        )
     granted, where = run.summary.granted
     if granted:
         most = approximate(granted)
@@ -104,9 +106,23 @@ def close(run: Run) -> str:
     summary = run.summary
     ending = "passed" if run.passed else "failed"
     judged = f"{summary.judged} of {count(summary.total(), 'case')} judged"
-    worse = f"{summary.failures(run.accepted)} worse than {run.accepted}"
-    lines += [*run.find_objections(), f"{run.hello.name}: {ending}, {judged}, {worse}"]
+    lines += [
+        *run.find_objections(),
+        f"{run.hello.name}: {ending}, {judged}, {count_failures(run)}",
+    ]
     return "".join(f"{line}\n" for line in lines)
+
+
+def count_failures(run: Run) -> str:
+    """Count the failures, and state what is accepted."""
+    ignored = {
+        Verdict.EXACT: "",
+        Verdict.EQUIVALENT: "",
+        Verdict.EQUIVALENT_EXCEPT_FOR_EXACT_FITS: " (missing exact fits ignored)",
+        Verdict.WITHIN: " (rounding and missing exact fits ignored)",
+    }
+    note = ignored.get(run.accepted, f" (verdicts up to {run.accepted} accepted)")
+    return f"{count(run.summary.failures(run.accepted), 'failure')}{note}"
 
 
 def write_counts(summary: Tally) -> str:

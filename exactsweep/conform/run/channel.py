@@ -119,7 +119,7 @@ class Channel:
         if peak is not None and not self._closing:
             self.peak = max(peak, self.peak or 0)
             if self._most is not None and self.peak > self._most:
-                raise LargeError(f"holds more than {self._most / 2**20:.1f} MiB")
+                raise LargeError(f"uses more than {self._most / 2**20:.1f} MiB")
 
     def _take(self) -> bytes | None:
         end = self._incoming.find(b"\n", self._searched)

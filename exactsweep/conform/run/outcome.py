@@ -160,7 +160,7 @@ def compare_in_time(case: Case, result: object, **options: Any) -> Comparison:
         with stop_after(COMPARE_SECONDS):
             return compare(case, result, **options)
     except OvertimeError:
-        reason = f"there is an answer, but comparing it takes more than {COMPARE_SECONDS:g} s"
+        reason = f"comparing the answer takes more than {COMPARE_SECONDS:g} s"
         return Comparison(case.id, Verdict.UNDECIDED, reason)
 
 

@@ -14,7 +14,7 @@ from exactsweep.numbers.error import ExactSweepError, quote
 from exactsweep.numbers.limits import get_limits, set_limits
 from exactsweep.processes import Pool
 
-_ENDED = "a judging process ended"
+_ENDED = "a judging process ended unexpectedly"
 
 # The id of a case, a function and its arguments.
 _Call = tuple[str, Callable[..., Outcome], tuple[object, ...]]
@@ -40,7 +40,7 @@ class Judges:
             hellos: list[Hello] = self._call_in_each(_start, terms)
             self.hello = hellos[0]
             if any(hello != self.hello for hello in hellos):
-                raise ProtocolError("its processes report different hellos")
+                raise ProtocolError("the processes of the program report different hellos")
         except BaseException:
             self.close()
             raise

@@ -44,9 +44,9 @@ class ProcessPeer:
         try:
             if self._channel is None and self._start() != self.hello:
                 self.kill()
-                raise ProtocolError("its hello changed after a restart")
+                raise ProtocolError("the hello changed after a restart")
         except ProtocolError as error:
-            return Answer(verdict=Verdict.CRASH, reason=f"did not start again: {error}")
+            return Answer(verdict=Verdict.CRASH, reason=f"cannot be restarted: {error}")
         channel = self._channel
         assert channel is not None
         began = time.monotonic()
@@ -71,7 +71,7 @@ class ProcessPeer:
         try:
             result = read_reply(channel.receive(self.terms.seconds))
             if result["id"] != case.id:
-                raise ProtocolError(f"answers {describe_kind(result['id'])}, which was not asked")
+                raise ProtocolError(f"answers {describe_kind(result['id'])}, which was not sent")
             return read_answer(result)
         except ChannelError as error:
             verdict, reason = error.verdict, str(error)

@@ -65,7 +65,9 @@ class Hello:
 def make_hello(said: Mapping[str, object]) -> Hello:
     for member in said:
         if member not in _MEMBERS:
-            raise ProtocolError(f"the hello has {quote(member)}{suggest(member, _MEMBERS)}")
+            raise ProtocolError(
+                f"unknown member {quote(member)} of the hello{suggest(member, _MEMBERS)}"
+            )
     said = {"questions": ["sweep"], "shapes": "monotone", **said}
     if said["questions"] == [SUM]:
         # A sum has no reference point.
@@ -98,7 +100,7 @@ def _choose_some(
     found = said[key]
     if isinstance(found, (list, tuple)) and found and all(word in allowed for word in found):
         return tuple(word for word in allowed if word in found)
-    raise ProtocolError(f'"{key}" is {quote(found)}, not a list of some of {", ".join(allowed)}')
+    raise ProtocolError(f'"{key}" is {quote(found)}, not a nonempty list of {", ".join(allowed)}')
 
 
 def read_hello(line: str) -> Hello:
@@ -183,9 +185,9 @@ def adapt(case: Case, hello: Hello) -> Case:
     (0, 0) (1, 0) (0, 2) from (-2, 0)
     """
     if SHAPES.index(case.shapes) > SHAPES.index(hello.shapes):
-        raise UnsupportedError(f"not asked: the program takes {hello.shapes} pairs only")
+        raise UnsupportedError(f"skipped: the program accepts only {hello.shapes} pairs")
     if not hello.parts(case):
-        raise UnsupportedError("not asked: the case is not one of an inner fit")
+        raise UnsupportedError("skipped: the case has no inner fit")
     if hello.reference != "given":
         x, y = ORIGIN if hello.reference == "origin" else case.generatrix_ring[0]
         case = _transform(case, by=Point(x - case.reference.x, y - case.reference.y))
@@ -203,7 +205,7 @@ def adapt(case: Case, hello: Hello) -> Case:
         reflected = chain.from_iterable(chain.from_iterable(list_reflected_rings(scaled)))
         if hello.numbers in find_types([*reflected], 1):
             return scaled
-    raise UnsupportedError(f"{hello.numbers} does not hold the case")
+    raise UnsupportedError(f"{hello.numbers} cannot represent the case")
 
 
 _POSITIONS = (

@@ -60,7 +60,7 @@ class Tally:
 
     def diagnosis(self) -> str | None:
         cause = self.find_cause()
-        return cause and f"all {self.different} answers that differ: {cause}"
+        return cause and f"all {self.different} differing answers: {cause}"
 
     def total(self, verdict: Verdict | None = None, group: str = ALL) -> int:
         verdicts = Verdict if verdict is None else (verdict,)
@@ -203,9 +203,9 @@ class Run:
         judged, total = self.summary.judged, self.summary.total()
         lines = [*self.complaints, *(["interrupted"] if self.interrupted else [])]
         if not judged:
-            lines.append("nothing was judged")
+            lines.append("no case was judged")
         elif judged < self.least_judged * total:
-            lines.append(f"only {judged} of {count(total, 'case')} judged, too few")
+            lines.append(f"only {judged} of {count(total, 'case')} judged, fewer than required")
         return lines
 
     @property

@@ -58,6 +58,6 @@ class Stream:
             raise ProtocolError(f'"id" is {describe_kind(id)}, not the id of a case')
         case = find(id)
         if id in self._seen:
-            raise ProtocolError(f"answers {quote(id)} a second time")
+            raise ProtocolError(f"second answer to {quote(id)}")
         self._seen.add(id)
         return case

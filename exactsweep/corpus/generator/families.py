@@ -99,7 +99,7 @@ def generate(family: str, seed: int, count: int | None = None) -> Iterator[Case]
     """
     chosen = FAMILIES[require_known(family, FAMILIES, "family")]
     if not 0 <= seed < 10**18:
-        raise ExactSweepError(f"the seed is {seed}, which is not from 0 to 10**18 - 1")
+        raise ExactSweepError(f"the seed {seed} is outside the range 0 to 10**18 - 1")
     if count is not None and count < 0:
         raise ExactSweepError(f"the count is negative: {count}")
     numbers = count_from() if count is None else range(count)

@@ -110,7 +110,9 @@ def list_measures(
 
 
 def describe_curve_error(error: Fraction) -> str:
-    return f"flattened within {approximate(error, up=True)}; the verdict holds for the curves"
+    return (
+        f"flattened to within {approximate(error, up=True)}; the verdict holds for the true curves"
+    )
 
 
 def write_verdict(
@@ -160,7 +162,7 @@ def find_remarks(
     is_rounding = all(one.is_rounding(judgement) for one in ranked)
     if ranked and is_rounding and context.accepted is None:
         accept = _round_up(max(one.depth for one in ranked))
-        said.append(f"{sum_up(ranked, context)}: rounding? (--accept {accept} accepts it)")
+        said.append(f"{sum_up(ranked, context)}: possibly rounding; --accept {accept} accepts this")
     if ranked and context.unchecked and not all(one.accepted for one in ranked):
         said.append(f"not judged: {'; '.join(context.unchecked)}")
     return said
