@@ -14,7 +14,7 @@ from exactsweep.numbers.number import Rational, Vertex
 Bounds = tuple[Rational, Rational, Rational, Rational]
 """The left, right, low and high end of a closed box."""
 
-_PER_ROW = 16
+PER_ROW = 16
 """The mean number of boxes in a row. Values from 8 to 64 are equally fast."""
 
 _Entry = tuple[Rational, Rational, Rational, Rational, int]
@@ -30,30 +30,30 @@ class BoxRows:
     """A search structure for boxes on one lattice, extended by `reach` to the right and upwards."""
 
     def __init__(self, boxes: Sequence[Bounds], reach: int = 0) -> None:
-        self._rows: list[list[_Entry]] = []
-        self._south: Rational = 0
-        self._height = 1
-        if not boxes:
-            return
-        self._south = south = min(box[2] for box in boxes)
-        north = max(box[3] for box in boxes) + reach
-        mean = sum(box[3] - box[2] for box in boxes) // len(boxes)
-        by_count = (north - south) * _PER_ROW // len(boxes)
-        self._height = height = int(max(mean, by_count)) + 1
-        rows: list[list[_Entry]] = [[] for _ in range(int((north - south) // height) + 1)]
+        count = max(len(boxes), 1)
+        self._south = min((box[2] for box in boxes), default=0)
+        north = max((box[3] for box in boxes), default=0) + reach
+        mean = sum(box[3] - box[2] for box in boxes) // count
+        self._height = int(max(mean, (north - self._south) * PER_ROW // count)) + 1
+        number = (north - self._south) // self._height + 1
+        self._rows: list[list[_Entry]] = [[] for _ in range(number)]
         for k, (left, right, low, high) in enumerate(boxes):
             entry = left, right + reach, low, high + reach, k
-            for row in rows[(low - south) // height : (entry[3] - south) // height + 1]:
-                row.append(entry)
-        for row in rows:
-            row.sort()
-        self._rows = rows
+            for row in self._find_rows(low, high + reach):
+                self._rows[row].append(entry)
+        for entries in self._rows:
+            entries.sort()
+
+    def _find_rows(self, low: Rational, high: Rational) -> range:
+        """Return the indices of the rows that meet an interval of y."""
+        south, height = self._south, self._height
+        first, last = (low - south) // height, (high - south) // height
+        return range(max(first, 0), min(last + 1, len(self._rows)))
 
     def add(self, box: Bounds, number: int) -> None:
         """Add a box inside the bounds of the others. Cost: O(boxes in its rows)."""
-        first, last = ((y - self._south) // self._height for y in box[2:])
-        for row in self._rows[first : last + 1]:
-            insort(row, (*box, number))
+        for row in self._find_rows(*box[2:]):
+            insort(self._rows[row], (*box, number))
 
     def find(self, box: Bounds) -> Iterator[int]:
         """Yield the index of each box that meets a box.
@@ -61,23 +61,18 @@ class BoxRows:
         Cost: O(1) for each box in the same rows whose left end is not beyond the box.
         """
         left, right, low, high = box
-        if not self._rows:
-            return
-        first = max((low - self._south) // self._height, 0)
-        last = max((high - self._south) // self._height, -1)
-        border = low
-        for number, row in enumerate(self._rows[first : last + 1], first + 1):
-            for west, east, south, north, k in row:
+        for row in self._find_rows(low, high):
+            border = self._south + row * self._height
+            for west, east, south, north, k in self._rows[row]:
                 if west > right:
                     break
                 if (
                     east >= left
                     and south <= high
                     and north >= low
-                    and (south >= border or number == first + 1)
+                    and (low >= border or south >= border)
                 ):
                     yield k
-            border = self._south + number * self._height
 
     def find_pairs(self) -> Iterator[tuple[int, int]]:
         """Yield each pair of intersecting boxes once, the smaller index first.

@@ -22,12 +22,15 @@ from collections.abc import Iterable, Mapping, Sequence
 from enum import Enum
 
 from exactsweep.geometry.edges import BoxedEdge, EdgeIndex, Rings
-from exactsweep.geometry.near import Bounds
-from exactsweep.geometry.vectors import minus, orientation
-from exactsweep.numbers.number import Edge, Rational, Vertex
+from exactsweep.geometry.near import PER_ROW, Bounds
+from exactsweep.geometry.vectors import is_on_segment, minus, touch
+from exactsweep.numbers.number import Rational, Vertex
 
 _EdgeCone = tuple[Vertex, Vertex]
 """The outgoing and the incoming ray at a point of a boundary."""
+
+_MovedEdge = tuple[Rational, Rational, Rational, Rational, Vertex, Vertex, BoxedEdge]
+"""An edge on the lattice of a position: its box, its ends, and the edge itself."""
 
 
 class Relation(Enum):
@@ -75,60 +78,67 @@ def _find_cones(
 
     Returns None if edges cross, or overlap in the same direction.
     """
-    cones: defaultdict[Vertex, tuple[set[_EdgeCone], set[_EdgeCone]]]
-    cones = defaultdict(lambda: (set(), set()))
-    along: list[tuple[Vertex, ...]] = []
-    has_path = shape.is_path or part.is_path
     x, y, scale = position
     x0, x1, y0, y1 = x // scale, -(-x // scale), y // scale, -(-y // scale)
+
+    def find_others(box: Bounds) -> list[_MovedEdge]:
+        left, right, low, high = box
+        near = part.near((left - x1, right - x0, low - y1, high - y0))
+        return [_move(edge, x, y, scale) for edge in near]
+
+    cones: defaultdict[Vertex, tuple[set[_EdgeCone], set[_EdgeCone]]]
+    cones = defaultdict(lambda: (set(), set()))
+    along: list[tuple[Sequence[Vertex], BoxedEdge, BoxedEdge]] = []
+    others = find_others(box)
     for edge in shape.near(box):
-        p, q = _move(edge, 0, 0, scale)
-        (px, py), (qx, qy) = p, q
-        dx, dy, c = qx - px, qy - py, qx * py - qy * px
-        for other in part.near((edge[0] - x1, edge[1] - x0, edge[2] - y1, edge[3] - y0)):
-            a, b = _move(other, x, y, scale)
-            of_a, of_b = dx * a[1] - dy * a[0] - c, dx * b[1] - dy * b[0] - c
-            if (of_a > 0 < of_b) or (of_a < 0 > of_b):
+        left, right, low, high, p, q, _ = _move(edge, 0, 0, scale)
+        meeting = others if len(others) <= PER_ROW else find_others(edge[:4])
+        for west, east, south, north, a, b, other in meeting:
+            if west > right:
+                break
+            if east < left or south > high or north < low:
                 continue
-            of_p, of_q = orientation(a, b, p), orientation(a, b, q)
-            if (of_p > 0 < of_q) or (of_p < 0 > of_q):
-                continue
-            if of_a and of_b and of_p and of_q:
-                return None
-            if of_a == of_b == 0:
-                first, last = max(min(a, b), min(p, q)), min(max(a, b), max(p, q))
-                if first < last and (a < b) == (p < q) and not has_path:
+            common = touch(p, q, a, b)
+            if common is None:
+                common = touch(p, q, b, a)
+                # A path may run along an edge, as its left side is not in its interior.
+                if common is None or not (shape.is_path or part.is_path):
                     return None
-                common = {first, last} if first <= last else set()
-                along.append((first, last, p, q, a, b))
-            else:
-                common = {a if of_a == 0 else b if of_b == 0 else p if of_p == 0 else q}
             for z in common:
-                ours, theirs = cones[z]
-                if z != p:
-                    rx, ry = shape.after(edge)
-                    ours.add(_find_cone(z, p, q, (rx * scale, ry * scale)))
-                if z != a:
-                    rx, ry = part.after(other)
-                    theirs.add(_find_cone(z, a, b, (rx * scale + x, ry * scale + y)))
+                # A vertex belongs to the edge that ends there.
+                if p != z != a:
+                    ours, theirs = cones[z]
+                    ours.add(_find_cone(shape, edge, z == q))
+                    theirs.add(_find_cone(part, other, z == b))
+            if len(common) == 2:
+                along.append((common, edge, other))
     # Another ring may touch the interior of one of two overlapping edges.
-    for first, last, p, q, a, b in along:
+    for (first, last), edge, other in along:
         for z, (ours, theirs) in cones.items():
-            if first < z < last and orientation(p, q, z) == 0:
-                ours.add(_find_cone(z, p, q, q))
-                theirs.add(_find_cone(z, a, b, b))
+            if first < z < last and is_on_segment(z, first, last):
+                ours.add(_find_cone(shape, edge, False))
+                theirs.add(_find_cone(part, other, False))
     return cones
 
 
-def _move(edge: BoxedEdge, x: Rational, y: Rational, scale: int) -> Edge:
+def _move(edge: BoxedEdge, x: Rational, y: Rational, scale: int) -> _MovedEdge:
     """Return an edge on the lattice of a position."""
-    _, _, _, _, ax, ay, bx, by, _, _ = edge
-    return (ax * scale + x, ay * scale + y), (bx * scale + x, by * scale + y)
+    left, right, low, high, ax, ay, bx, by, _, _ = edge
+    return (
+        left * scale + x,
+        right * scale + x,
+        low * scale + y,
+        high * scale + y,
+        (ax * scale + x, ay * scale + y),
+        (bx * scale + x, by * scale + y),
+        edge,
+    )
 
 
-def _find_cone(z: Vertex, p: Vertex, q: Vertex, r: Vertex) -> _EdgeCone:
-    """Return the cone at a point of the edge p q, followed by r."""
-    return minus(r if z == q else q, z), minus(p, z)
+def _find_cone(shape: EdgeIndex, edge: BoxedEdge, is_end: bool) -> _EdgeCone:
+    """Return the cone at the end of an edge, or in its interior."""
+    p, q = edge[4:6], edge[6:8]
+    return minus(shape.after(edge), q) if is_end else minus(q, p), minus(p, q)
 
 
 def _cones_meet(ours: Iterable[_EdgeCone], others: Iterable[_EdgeCone]) -> bool:

@@ -24,7 +24,7 @@ def meet(one: Bounds, other: Bounds, reach: int = 0) -> bool:
 @given(boxes, st.integers(0, 2), st.integers(1, 4))
 def test_pairs_within_reach_are_found_once(given_boxes: list[Bounds], reach: int, few: int) -> None:
     with pytest.MonkeyPatch.context() as patched:
-        patched.setattr(near, "_PER_ROW", few)
+        patched.setattr(near, "PER_ROW", few)
         found = sorted(find_near(given_boxes, reach))
     assert found == [
         (k, j)
@@ -39,7 +39,7 @@ def test_boxes_that_meet_another_one_are_found_once(
     given_boxes: list[Bounds], other: Bounds, few: int
 ) -> None:
     with pytest.MonkeyPatch.context() as patched:
-        patched.setattr(near, "_PER_ROW", few)
+        patched.setattr(near, "PER_ROW", few)
         rows = BoxRows(given_boxes)
     assert sorted(rows.find(other)) == [k for k, one in enumerate(given_boxes) if meet(one, other)]
 
@@ -68,7 +68,7 @@ def test_boxes_added_later_are_found(
 ) -> None:
     whole = (-9, 20, -9, 20)
     with pytest.MonkeyPatch.context() as patched:
-        patched.setattr(near, "_PER_ROW", few)
+        patched.setattr(near, "PER_ROW", few)
         rows = BoxRows([whole, *given_boxes])
     for number, one in enumerate(later, len(given_boxes) + 1):
         rows.add(one, number)
