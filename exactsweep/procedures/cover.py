@@ -105,26 +105,24 @@ def split(
     segment: ContactSegment, side: int, lowest: int, columns: Mapping[int, int]
 ) -> Iterator[ContactSegment]:
     """Yield the pieces of a segment outside the covered squares; the lowest bit is row `lowest`."""
-    (dx, dy, c), (n, d), (m, e) = segment.line, segment.low, segment.high
-    first, row = n // (d * side), (n * dy + c * d) // (dx * d * side) - lowest if dx else 0
+    (dx, dy, c), low, high = segment.line, segment.low, segment.high
+    first = low // side
     if dx == 0:
-        bits = (2 << m // (e * side) - lowest) - (1 << first - lowest)
+        bits = (2 << high // side - lowest) - (1 << first - lowest)
         if columns[-c // (dy * side)] & bits != bits:
             yield segment
         return
-    last, since = -(-m // (e * side)) - 1, None
-    unit = dx * side
-    for k in range(first, last + 1):
-        if k < last:
-            next_row = ((k + 1) * side * dy + c) // unit - lowest
-        else:
-            next_row = (m * dy + c * e) // (unit * e) - lowest
+    unit, start = dx * side, None
+    row = (low * dy + c) // unit - lowest
+    for k in range(first, -(-high // side)):
+        left, right = max(k * side, low), min((k + 1) * side, high)
+        next_row = (right * dy + c) // unit - lowest
         bottom, top = (row, next_row) if row < next_row else (next_row, row)
         bits, row = (2 << top) - (1 << bottom), next_row
         if columns[k] & bits != bits:
-            since = k if since is None else since
-        elif since is not None:
-            yield segment.between(since * side if since > first else None, k * side)
-            since = None
-    if since is not None:
-        yield segment.between(since * side, None) if since > first else segment
+            start = left if start is None else start
+        elif start is not None:
+            yield segment.between(start, left)
+            start = None
+    if start is not None:
+        yield segment if start == low else segment.between(start, high)

@@ -20,13 +20,17 @@ from typing import NamedTuple
 
 from exactsweep.geometry.near import find_near
 from exactsweep.procedures.chain import HomogeneousPoint, Line
-from exactsweep.procedures.segments import BOTH, ContactSegment, Parameter
+from exactsweep.procedures.segments import BOTH, ContactSegment, Sides
 
 OneSidedPiece = tuple[HomogeneousPoint, HomogeneousPoint, int, int]
 """A piece with overlap on its left: its start, its end, its direction."""
 
 TwoSidedPiece = tuple[Line, HomogeneousPoint, HomogeneousPoint]
 """A piece with overlap on both sides: its line, its lower and its upper end."""
+
+
+_Parameter = tuple[int, int]
+"""A parameter n / d, d > 0."""
 
 
 class Pieces(NamedTuple):
@@ -64,12 +68,12 @@ def measure_keys(segments: Sequence[ContactSegment]) -> int:
     for segment in segments:
         dx, dy, _ = segment.line
         longest |= dx | abs(dy)
-        at_ends |= segment.low[1] | segment.high[1]
+        at_ends |= segment.low.denominator | segment.high.denominator
     # Denominators of crossings are at most 2 longest^2.
     bits = 2 * max(1 + 2 * longest.bit_length(), at_ends.bit_length())
+    unit = 1 << bits
     for segment in segments:
-        (n, d), (m, e) = segment.low, segment.high
-        segment.keys = (n << bits) // d, (m << bits) // e
+        segment.keys = segment.low * unit // 1, segment.high * unit // 1
     return bits
 
 
@@ -77,32 +81,28 @@ def record_crossing(first: ContactSegment, second: ContactSegment, bits: int) ->
     """Record a crossing in both segments, with the sides on which overlap passes there."""
     (adx, ady, ac), (bdx, bdy, bc) = first.line, second.line
     d = adx * bdy - ady * bdx
-    if d == 0:
+    if d <= 0:
+        if d < 0:
+            record_crossing(second, first, bits)
         return
-    n = m = ac * bdx - bc * adx
-    if adx == 0:
-        n = ac * bdy - bc * ady
-    elif bdx == 0:
-        m = ac * bdy - bc * ady
-    mirrored = d < 0
-    if mirrored:
-        n, m, d = -n, -m, -d
+    x, y = ac * bdx - bc * adx, ac * bdy - bc * ady
+    n, m = x if adx else y, x if bdx else y
     key, (low, high) = (n << bits) // d, first.keys
     if key < low or key > high:
         return
     other_key, (other_low, other_high) = (m << bits) // d, second.keys
     if other_key < other_low or other_key > other_high:
         return
-    a, b = first.sides, second.sides
-    if not low < key < high:
-        a = first.high_sides if low < key else first.low_sides
-    if not other_low < other_key < other_high:
-        b = second.high_sides if other_low < other_key else second.low_sides
-    # The second segment goes from the right of the first to its left, unless mirrored.
-    if mirrored:
-        a, b = a[::-1], b[::-1]
+    a, b = _find_sides(first, key), _find_sides(second, other_key)
+    # The second segment goes from the right of the first to its left.
     first.cuts.append((key, n, d, b[0], b[1], second.sides))
     second.cuts.append((other_key, m, d, a[1], a[0], first.sides))
+
+
+def _find_sides(segment: ContactSegment, key: int) -> Sides:
+    """Return the sides on which overlap passes through a point of a segment."""
+    low, high = segment.keys
+    return segment.low_sides if key == low else segment.high_sides if key == high else segment.sides
 
 
 def _find_left_over(
@@ -110,10 +110,11 @@ def _find_left_over(
 ) -> list[tuple[HomogeneousPoint, HomogeneousPoint]]:
     """Return the ends of the pieces that remain by (1), and add points to the meetings by (3)."""
     line, is_two_sided = segment.line, segment.sides == BOTH
-    start, (covered, end_covered), (at, end) = segment.low, segment.covered, segment.keys
-    left: list[tuple[Parameter, Parameter]] = []
+    start, end = segment.low.as_integer_ratio(), segment.high.as_integer_ratio()
+    (covered, end_covered), (at, end_key) = segment.covered, segment.keys
+    left: list[tuple[_Parameter, _Parameter]] = []
     # Hold each piece back: more crossings at its end may prove that it is in O.
-    waiting: tuple[Parameter, Parameter] | None = None
+    waiting: tuple[_Parameter, _Parameter] | None = None
     last: int | None = None
     for key, n, d, before, after, other_sides in sorted(segment.cuts):
         if key == last or (is_two_sided and other_sides == BOTH):
@@ -127,10 +128,10 @@ def _find_left_over(
         else:
             waiting = None if before else waiting
             covered = covered or after
-    if at < end:
+    if at < end_key:
         if waiting:
             left.append(waiting)
-        waiting = None if covered else (start, segment.high)
+        waiting = None if covered else (start, end)
     if waiting and not end_covered:
         left.append(waiting)
     return [(find_point(line, *p), find_point(line, *q)) for p, q in left]

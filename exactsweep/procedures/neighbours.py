@@ -21,6 +21,9 @@ from exactsweep.geometry.vectors import minus
 from exactsweep.numbers.number import Vertex
 from exactsweep.procedures.segments import EdgeFeature
 
+_FEW = 20
+"""The number of facing edges up to which all are kept; pruning them takes longer than it saves."""
+
 _Vectors = tuple[int, int, int, int]
 """Two vectors."""
 
@@ -29,6 +32,8 @@ def leave_out_overlapped(
     edges: Sequence[EdgeFeature], ring: Sequence[Vertex], k: int
 ) -> Sequence[EdgeFeature]:
     """Return the edges that vertex k of a ring faces, without the parts in O by (1) and (2)."""
+    if len(edges) <= _FEW:
+        return edges
     points = [ring[(k + i) % len(ring)] for i in (-2, -1, 0, 1, 2)]
     unit = lcm(*(c.denominator for point in points for c in point))
     o, p, v, q, r = ((int(x * unit), int(y * unit)) for x, y in points)

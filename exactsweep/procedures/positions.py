@@ -27,7 +27,7 @@ from exactsweep.geometry.canonical import find_doubled_area
 from exactsweep.geometry.edges import EdgeIndex, Rings
 from exactsweep.geometry.overlap import Relation, find_outside, relate
 from exactsweep.numbers.number import Fit, Point, Rational, Vertex
-from exactsweep.procedures.chain import HomogeneousPoint, inverse
+from exactsweep.procedures.chain import HomogeneousPoint, inverse, scale_to_ints
 from exactsweep.procedures.cover import leave_out_covered
 from exactsweep.procedures.crossings import Pieces, cut
 from exactsweep.procedures.neighbours import leave_out_overlapped
@@ -74,8 +74,9 @@ def find_sum(stationary: Rings, moving: Rings, scale: int = 1) -> FreeBoundary:
     [(0, 0), (1, 0), (3, 1), (3, 2), (2, 2), (0, 1)]
     """
     segments = find_contact_segments(stationary, moving, leave_out_overlapped)
-    pieces, overlaps = _prepare(segments, [stationary], [moving])
-    free = find_free(pieces, overlaps, scale)
+    (ax, ay), (bx, by) = (min(chain.from_iterable(rings)) for rings in (stationary, moving))
+    least = scale_to_ints(ax + bx, ay + by)
+    free = find_free(*_prepare(segments, [stationary], [moving]), scale, least=least)
     assert len(free.around) == 1
     return free
 

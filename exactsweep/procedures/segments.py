@@ -23,19 +23,16 @@ from __future__ import annotations
 
 from bisect import bisect_left, bisect_right
 from collections import defaultdict
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, field
 from itertools import chain, groupby
-from math import gcd, lcm
+from math import lcm
 from operator import itemgetter
 
 from exactsweep.geometry.direction import reduce_direction
 from exactsweep.geometry.edges import Rings
 from exactsweep.numbers.number import Rational, Vertex
 from exactsweep.procedures.chain import Line
-
-Parameter = tuple[int, int]
-"""A parameter n / d of a line, d > 0: the value of x, or of y if the line is vertical."""
 
 Sides = tuple[bool, bool]
 """The sides of a line with overlap: its left, and its right."""
@@ -44,24 +41,28 @@ NEITHER: Sides = False, False
 BOTH: Sides = True, True
 
 Cut = tuple[int, int, int, bool, bool, Sides]
-"""A crossing: the key of its parameter; the parameter; whether overlap passes through the crossing
-on the other segment's side before it, and after it; the sides of the other segment."""
-
+"""A crossing: the key of its parameter; the parameter n / d; whether overlap passes through the
+crossing on the other segment's side before it, and after it; the sides of the other segment."""
 
 Adjacent = tuple[int, int, int, int, int]
 """The vectors of the edges before and after an edge, times a unit, and the unit."""
 
-EdgeFeature = tuple[int, int, int, Rational, Rational, bool, Adjacent]
-"""An edge: its line; its least and its greatest parameter; whether it runs along the direction of
-the line; the adjacent edges."""
+EdgeFeature = tuple[int, int, Rational, Rational, Rational, bool, Adjacent]
+"""An edge: the primitive direction of its line, and the offset; its least and its greatest
+parameter; whether it runs along the direction of the line; the adjacent edges."""
+
+_Piece = tuple[Rational, Rational, bool]
+"""A contact segment on its line: its ends, and whether it runs along the line."""
 
 LeaveOut = Callable[[Sequence[EdgeFeature], Sequence[Vertex], int], Sequence[EdgeFeature]]
 """A pruning step: it returns the parts to keep of the edges that face vertex k of a ring."""
 
 
-@dataclass(eq=False)
+@dataclass(eq=False, slots=True)
 class ContactSegment:
     """A piece of a line along which contact segments have the same directions.
+
+    The parameter of a point of the line is its x, or its y if the line is vertical.
 
     Attributes:
         line: its line in coprime ints, with dx > 0, or dx = 0 < dy.
@@ -73,8 +74,8 @@ class ContactSegment:
     """
 
     line: Line
-    low: Parameter
-    high: Parameter
+    low: Rational
+    high: Rational
     sides: Sides
     low_sides: Sides = NEITHER
     high_sides: Sides = NEITHER
@@ -85,27 +86,24 @@ class ContactSegment:
     @property
     def box(self) -> tuple[int, int, int, int]:
         """The bounds of the segment, rounded outwards to ints: left, right, low, high."""
-        (dx, dy, c), (n, d), (m, e) = self.line, self.low, self.high
-        left, right = n // d, -(-m // e)
+        (dx, dy, c), low, high = self.line, self.low, self.high
         if dx == 0:
-            return -c // dy, -(c // dy), left, right
-        if dy < 0:
-            n, d, m, e = m, e, n, d
-        return left, right, (n * dy + c * d) // (dx * d), -((-m * dy - c * e) // (dx * e))
+            return -c // dy, -(c // dy), low // 1, -(-high // 1)
+        first, last = (low, high) if dy >= 0 else (high, low)
+        return low // 1, -(-high // 1), (first * dy + c) // dx, -((-last * dy - c) // dx)
 
-    def between(self, low: int | None, high: int | None) -> ContactSegment:
-        """Return a piece of the segment, cut at one end or both, with overlap beyond each cut."""
-        ends = self.line, self.low, self.high, self.sides, self.low_sides, self.high_sides
-        piece = ContactSegment(*ends, covered=(low is not None, high is not None))
-        if low is not None:
-            piece.low, piece.low_sides = (low, 1), self.sides
-        if high is not None:
-            piece.high, piece.high_sides = (high, 1), self.sides
-        return piece
+    def between(self, low: Rational, high: Rational) -> ContactSegment:
+        """Return the piece from one parameter to another, with overlap beyond each cut."""
+        ends = low > self.low, high < self.high
+        low_sides, high_sides = (
+            self.sides if is_cut else sides
+            for is_cut, sides in zip(ends, (self.low_sides, self.high_sides), strict=True)
+        )
+        return ContactSegment(self.line, low, high, self.sides, low_sides, high_sides, ends)
 
 
 def find_contact_segments(
-    stationary: Rings, moving: Rings, leave_out: LeaveOut | None = None
+    stationary: Rings, moving: Rings, leave_out: LeaveOut = lambda edges, *_: edges
 ) -> list[ContactSegment]:
     """Find the contact segments of two shapes, joined along each line.
 
@@ -117,7 +115,7 @@ def find_contact_segments(
         [edge for rings in shapes for ring in rings for edge in ring]
     )
     ranked = [[[(angle(edge), edge) for edge in ring] for ring in rings] for rings in shapes]
-    pieces: defaultdict[Line, list[tuple[Rational, Rational, bool]]] = defaultdict(list)
+    pieces: defaultdict[Line, list[_Piece]] = defaultdict(list)
     for edges_of, rings, vertices_of in (
         (ranked[0], moving, ranked[1]),
         (ranked[1], stationary, ranked[0]),
@@ -129,26 +127,12 @@ def find_contact_segments(
         for ring, own in zip(rings, vertices_of, strict=True):
             for k, first, last in _find_convex_vertices([a for a, _ in own], full_turn):
                 facing = edges[bisect_left(at, first) : bisect_right(at, last)]
-                _move(leave_out(facing, ring, k) if leave_out else facing, ring[k], pieces)
+                x, y = ring[k]
+                for dx, dy, offset, low, high, ahead, _ in leave_out(facing, ring, k):
+                    along = x if dx else y
+                    c, unit = (dx * y - dy * x + offset).as_integer_ratio()
+                    pieces[unit * dx, unit * dy, c].append((low + along, high + along, ahead))
     return [segment for line, ends in pieces.items() for segment in _join(line, ends)]
-
-
-def _move(
-    edges: Iterable[EdgeFeature],
-    vertex: Vertex,
-    pieces: defaultdict[Line, list[tuple[Rational, Rational, bool]]],
-) -> None:
-    """Add edges, moved by a vertex, to the pieces of their lines."""
-    x, y = vertex
-    # `unit` times the vertex is on the lattice.
-    unit = lcm(x.denominator, y.denominator)
-    u, v = int(unit * x), int(unit * y)
-    for dx, dy, offset, low, high, ahead, _ in edges:
-        along = x if dx else y
-        c = dx * v - dy * u + unit * offset
-        common = gcd(unit * dx, unit * dy, c)
-        line = unit * dx // common, unit * dy // common, c // common
-        pieces[line].append((low + along, high + along, ahead))
 
 
 def _list_edges(ring: Sequence[Vertex]) -> list[EdgeFeature]:
@@ -160,12 +144,8 @@ def _list_edges(ring: Sequence[Vertex]) -> list[EdgeFeature]:
         first, last = (px, qx) if dx else (py, qy)
         ahead = first < last
         low, high = (first, last) if ahead else (last, first)
-        offset = dx * py - dy * px
-        if type(offset) is not int:
-            offset, unit = offset.as_integer_ratio()
-            dx, dy = unit * dx, unit * dy
         adjacent = _scale(px - ox, py - oy, rx - qx, ry - qy)
-        edges.append((dx, dy, offset, low, high, ahead, adjacent))
+        edges.append((dx, dy, dx * py - dy * px, low, high, ahead, adjacent))
         ox, oy, px, py = px, py, qx, qy
     return edges
 
@@ -198,12 +178,11 @@ def _find_convex_vertices(angles: Sequence[int], full_turn: int) -> Iterator[tup
             yield k, first, last
 
 
-def _join(line: Line, pieces: list[tuple[Rational, Rational, bool]]) -> Iterator[ContactSegment]:
+def _join(line: Line, pieces: list[_Piece]) -> Iterator[ContactSegment]:
     """Join the contact segments of one line; yield maximal segments with constant sides."""
     if len(pieces) == 1:
         ((low, high, ahead),) = pieces
-        ends = low.as_integer_ratio(), high.as_integer_ratio()
-        yield ContactSegment(line, *ends, (ahead, not ahead))
+        yield ContactSegment(line, low, high, (ahead, not ahead))
         return
     events = [(low, True, ahead) for low, _, ahead in pieces]
     events += [(high, False, ahead) for _, high, ahead in pieces]
@@ -221,7 +200,6 @@ def _join(line: Line, pieces: list[tuple[Rational, Rational, bool]]) -> Iterator
         if segment:
             if segment.sides == sides == through:
                 continue
-            segment.high, segment.high_sides = place.as_integer_ratio(), through
+            segment.high, segment.high_sides = place, through
             yield segment
-        end = place.as_integer_ratio()
-        segment = ContactSegment(line, end, end, sides, through) if any(sides) else None
+        segment = ContactSegment(line, place, place, sides, through) if any(sides) else None

@@ -51,12 +51,10 @@ def test_a_large_square_is_covered_but_for_its_border() -> None:
     assert 26 * 26 <= sum(map(int.bit_count, columns)) <= 30 * 30
     squares = defaultdict(int, enumerate(columns, left))
     for dx, dy in [(1, 0), (0, 1), (1, 1), (3, -2)]:
-        assert not [
-            *split(ContactSegment((dx, dy, 1), (-30, 1), (30, 1), (True, True)), 4, low, squares)
-        ]
-    (piece,) = split(ContactSegment((1, 0, 0), (-64, 1), (30, 1), (True, True)), 4, low, squares)
-    assert piece.low == (-64, 1)
-    assert -60 <= piece.high[0] <= -52
+        assert not [*split(ContactSegment((dx, dy, 1), -30, 30, (True, True)), 4, low, squares)]
+    (piece,) = split(ContactSegment((1, 0, 0), -64, 30, (True, True)), 4, low, squares)
+    assert piece.low == -64
+    assert -60 <= piece.high <= -52
     assert (piece.covered, piece.high_sides) == ((False, True), (True, True))
 
 
@@ -103,7 +101,7 @@ def test_nothing_is_covered_beyond_the_squares(line: tuple[int, int, int], low: 
     dx, dy, c = line
     for sign in (1, -1):
         begin, end = sorted((sign * low, sign * low + 20 * sign))
-        segment = ContactSegment((dx, dy, sign * c), (begin, 1), (end, 1), (True, True))
+        segment = ContactSegment((dx, dy, sign * c), begin, end, (True, True))
         row = min(lowest, -300)
         squares = {k: bits << lowest - row for k, bits in enumerate(columns, left)}
         assert [*split(segment, 4, row, defaultdict(int, squares))] == [segment]
