@@ -27,7 +27,6 @@ class ClaimVerdict(Enum):
 
     @property
     def contradicts_paper(self) -> bool:
-        """Whether the printed statement fails."""
         return self not in (ClaimVerdict.REPRODUCED, ClaimVerdict.SHARPENED, ClaimVerdict.ADDED)
 
 
@@ -74,7 +73,6 @@ class Effort:
     quick: bool = False
 
     def random(self, label: str) -> Prng:
-        """Return random numbers that depend only on the seed and a label."""
         return Prng(f"{self.seed} {label}")
 
     def cases(self, count: int) -> int:
@@ -143,12 +141,10 @@ class Finding(NamedTuple):
 
 
 def find_first_failure(failures: Iterable[str]) -> str:
-    """Return the first nonempty text, or an empty string."""
     return next(filter(None, failures), "")
 
 
 def gather(parts: Iterable[Observation]) -> Evidence:
-    """Combine the observations of a check."""
     found = [
         part if isinstance(part, Evidence) else _TO_EVIDENCE[type(part)](part) for part in parts
     ]

@@ -11,13 +11,12 @@ from pkgutil import resolve_name
 from typing import Any
 
 from exactsweep.corpus.generator import growing
-from exactsweep.paper import kernel
+from exactsweep.paper import kernel, read_toml
 from exactsweep.paper.claim import Effort, Evidence, Observation, Table
 from exactsweep.paper.counting import PairFamily, count_by, grow
 from exactsweep.paper.functions import clip_to, keep_corners
 from exactsweep.paper.growth import BOUNDS, LIMITS, M_PLUS_N, Bound, Growth, write_power
 from exactsweep.paper.pairs import Chains, SweepPair
-from exactsweep.paper.toml import read_toml
 
 DOUBLINGS, QUICK_DOUBLINGS, RETRIES = 5, 3, 3
 UNITS = ("operations", "seconds", "bytes")
@@ -63,10 +62,7 @@ class Cost:
         return grow(what, self.family, self.bound, sizes, count, limit)
 
     def compare(self) -> Iterator[str]:
-        """Compare the output with that of the printed procedure at the three smallest sizes.
-
-        For all classes, that is Sweep_MM as printed: a convex chain is a single part.
-        """
+        """Compare the output with that of the printed procedure at the three smallest sizes."""
         for m, n in self.sizes(self.first, 2):
             chains = SweepPair(*self.family(m, n)).chains
             found, printed = keep_corners(self.run(chains)), keep_corners(self.printed(chains))
@@ -118,7 +114,6 @@ COSTS = tuple(_list_costs())
 
 
 def tabulate(growth: Iterable[Growth]) -> Table:
-    """Tabulate claimed and measured exponents by procedure, family and doubled size."""
     lines: dict[tuple[str, str, str], dict[str, Growth]] = {}
     for series in growth:
         if series.unit in UNITS:
@@ -155,7 +150,6 @@ def measure_costs(row: str, effort: Effort) -> Iterator[Observation]:
 
 
 def count_all(row: str, effort: Effort) -> Iterator[Growth]:
-    """Count everything that counts.toml lists for a row of the ledger."""
     for group in read_toml("counts.toml")["count"]:
         for series in group.pop("series") if group.pop("row") == row else ():
             read = group | series

@@ -124,7 +124,6 @@ def count_chains(pair: SweepPair) -> Chains:
 
 
 def count_operations(run: Callable[..., Iterable[Any]], *arguments: Any) -> int:
-    """Count the operations of a call and the vertices of its output."""
     with watch_operations() as tally:
         out = sum(1 for _ in run(*arguments))
     return tally.total + out

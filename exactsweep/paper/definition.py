@@ -241,7 +241,6 @@ class _IntegerFrame:
         return attached, inner
 
     def loop(self, bottom: PiecewiseLinear, top: PiecewiseLinear) -> tuple[Point, ...]:
-        """Return the canonical loop between two functions on the same interval."""
         points = [xy for p in bottom for xy in ((p.x0, p.y0), (p.x1, p.y1))]
         points += [xy for p in reversed(top) for xy in ((p.x1, p.y1), (p.x0, p.y0))]
         finer = lcm(*(c.denominator for xy in points for c in xy))

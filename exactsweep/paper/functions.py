@@ -57,7 +57,6 @@ def list_gaps(first: Sequence[Vertex], second: Sequence[Vertex]) -> list[tuple[F
 
 
 def find_common_points(first: Sequence[Vertex], second: Sequence[Vertex]) -> list[Fraction]:
-    """List the vertex abscissas at which two chains meet."""
     return [x for x, gap in list_gaps(first, second) if gap == 0]
 
 
@@ -91,7 +90,6 @@ def _reference(generatrix: tuple[Vertex, ...], directrix: tuple[Vertex, ...]) ->
 
 
 def compare_loops(s: Sweep, *names: str) -> Iterator[str]:
-    """Report the loops of a sweep, all by default, that differ from the definition."""
     expected, (x, y) = _reference(s.generatrix.vertices, s.directrix.vertices), s.reference
     for name in names or expected._fields:
         found = getattr(s, name).translated((-x, -y) if name == "trajectory" else (0, 0))
@@ -111,7 +109,6 @@ def describe_difference(
 
 
 def compare_boundaries(pair: SweepPair, **loops: Iterable[Vertex]) -> Iterator[str]:
-    """Report the boundaries of a lower sweep that differ from the definition."""
     for name, found in loops.items():
         yield describe_difference(f"the {name} boundary", found, look_up_bottom(pair, name))
 

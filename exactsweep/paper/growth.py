@@ -112,7 +112,6 @@ class Growth:
         return fit_exponent(self.sizes[-last:], values[-last:])
 
     def take_minima(self, other: Self) -> Self:
-        """Return the lesser count of two series at each size."""
         points = (
             min(p, q, key=attrgetter("count"))
             for p, q in zip(self.points, other.points, strict=True)
@@ -121,19 +120,15 @@ class Growth:
 
     @property
     def is_flat(self) -> bool:
-        """Whether the count grows no faster than the bound.
-
-        A missing factor log n in the bound shows as 1.1 or more in one doubling.
-        """
         if self.limit < 1 or self.unit in LIMITS:
             margin = self.limit if self.limit < 1 else LIMITS[self.unit]
             return self._exponent(self._ratios, self.fitted_sizes) <= margin
+        # A missing factor log n in the bound shows as 1.1 or more in one doubling.
         *before, last = self._ratios
         return last <= self.limit * max(before)
 
     @property
     def is_attained(self) -> bool:
-        """Whether the count grows as fast as the bound over the three largest sizes."""
         return self._exponent(self._ratios, 3) >= -FALL
 
     @property
@@ -144,7 +139,6 @@ class Growth:
 
     @property
     def failure(self) -> str:
-        """A description of how the count violates the bound, or an empty string."""
         if self.side != "upper" and not self.is_attained:
             return f"{self.what} on {self.family} fall below {self.bound}"
         if self.side == "lower" or self.is_flat:
@@ -162,7 +156,6 @@ def write_power(exponent: float) -> str:
 
 
 def fit_exponent(sizes: Sequence[int], values: Sequence[float]) -> float:
-    """Return the exponent of a power law fitted by least squares."""
     xs, ys = [log(size) for size in sizes], [log(max(value, 1e-9)) for value in values]
     return linear_regression(xs, ys).slope
 

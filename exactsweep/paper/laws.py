@@ -82,11 +82,8 @@ def _smaller_rings(ring: Ring) -> Iterator[Ring]:
 
 
 def try_laws(laws: Iterable[tuple[Law, str]], effort: Effort) -> Evidence:
-    """Test laws on random pairs up to the first failure.
-
-    Each law comes with its pairs, as in "100 CC, 60 MM weak, 4 MM large"; the first line of its
-    docstring states it. All laws share the pairs, so that their reference loops can be cached.
-    """
+    """Test laws, each on its pairs, as in "100 CC, 60 MM weak, 4 MM large", up to a failure."""
+    # All laws share the pairs, so that their reference loops can be cached.
     tried: dict[str, list[str]] = {}
     sampled, failure = [], ""
     for law, pairs in laws:
@@ -135,7 +132,6 @@ SHAPES: dict[str, Callable[[Ring], bool]] = {
 
 
 def list_tiny_pairs(side: int, most: int, generatrix: str, directrix: str) -> Iterator[SweepPair]:
-    """Yield the pairs on a grid with up to `most` vertices in total, smallest first."""
     for total in range(6, most + 1):
         pairs = []
         for n in range(3, total - 2):

@@ -8,9 +8,9 @@ from pkgutil import resolve_name
 from typing import Any
 
 from exactsweep.numbers.error import ExactSweepError, quote
+from exactsweep.paper import read_toml
 from exactsweep.paper.claim import Claim, ClaimVerdict, Effort, Evidence, Observation
 from exactsweep.paper.laws import expect_none, search_grid, try_laws
-from exactsweep.paper.toml import read_toml
 
 MEASURES = {
     "counts": "costs.count_all",

@@ -45,7 +45,6 @@ def read_pair(rings: Iterable[Iterable[Sequence[int]]]) -> SweepPair:
 
 
 def draw_pair(random: Prng, kind: str, *, strict: bool = True) -> SweepPair:
-    """Draw a pair of a class; D may be enlarged."""
     generatrix, directrix = (_draw_ring(random, letter, strict=strict) for letter in kind)
     factor = random.choice([1, 1, 2, 7])
     return SweepPair(
@@ -54,7 +53,6 @@ def draw_pair(random: Prng, kind: str, *, strict: bool = True) -> SweepPair:
 
 
 def _draw_ring(random: Prng, letter: str, *, strict: bool) -> Ring:
-    """Draw a ring of a class; strict rings have no vertical edges."""
     if letter == "S":
         return _draw_any(random)
     if letter == "C":
@@ -68,7 +66,6 @@ def _draw_ring(random: Prng, letter: str, *, strict: bool) -> Ring:
 
 
 def _draw_any(random: Prng) -> Ring:
-    """Draw a simple polygon through random points."""
     side = random.choice([4, 6, 9])
     while True:
         points = range(random.between(4, 9))

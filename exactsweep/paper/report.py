@@ -21,6 +21,7 @@ from exactsweep.canvas.style import PALETTE
 from exactsweep.canvas.svg import Shape, write_svg
 from exactsweep.draw import save
 from exactsweep.geometry.polygon import Polygon
+from exactsweep.paper import read_toml
 from exactsweep.paper.claim import ClaimVerdict, Counterexample, Effort, Finding
 from exactsweep.paper.costs import tabulate
 from exactsweep.paper.data import describe_environment, make_slug, write_data
@@ -29,7 +30,6 @@ from exactsweep.paper.figures.figure import load
 from exactsweep.paper.growth import LIMITS, Growth, write_power
 from exactsweep.paper.ledger import ABSTRACT, KINDS, OPEN, WEIGHTS
 from exactsweep.paper.pairs import SweepPair
-from exactsweep.paper.toml import read_toml
 from exactsweep.text.template import make_environment
 
 MINUS = "\N{MINUS SIGN}"
@@ -37,10 +37,7 @@ GROWTH = ("what", "family", "m", "n", "divided by", "ratio", "exponent", "of the
 
 
 def write(folder: Path, rows: Sequence[Finding], effort: Effort) -> tuple[Path, Path, Path]:
-    """Write report.html, report.md with its pictures, and ledger.json; return the three paths.
-
-    With the same seed, effort and versions, only measurements differ between runs.
-    """
+    """Write report.html, report.md with its pictures, and ledger.json; return the three paths."""
     folder.mkdir(parents=True, exist_ok=True)
     drawn = _plots(rows)
     for name, plot in drawn.items():
@@ -78,7 +75,6 @@ def title_section(section: str) -> str:
 
 
 def count_verdicts(rows: Sequence[Finding]) -> str:
-    """Summarize the verdicts, the failures and the total time in one line."""
     verdicts = Counter(row.claim.verdict for row in rows)
     counts = ", ".join(f"{verdicts[v]} {v.value}" for v in ClaimVerdict if verdicts[v])
     failing = [row.claim.name for row in rows if row.disagreement]
@@ -106,7 +102,7 @@ def _plots(rows: Sequence[Finding]) -> dict[str, bytes]:
 def _environment(*, html: bool) -> Environment:
     environment = make_environment(PackageLoader("exactsweep.paper"), html=html)
     filters: tuple[Callable[..., Any], ...] = (
-        *(cell, cite, draw_case, find_alignments, growth_row, make_slug, miss, name_plot),
+        *(cell, cite, describe_power, draw_case, find_alignments, growth_row, make_slug, name_plot),
         *(set_formula, split_proof, title_section),
     )
     environment.filters |= {function.__name__: function for function in filters}
@@ -176,19 +172,19 @@ def growth_row(series: Growth) -> list[str]:
     return [series.what, series.family, m, n, series.bound, ratio, *powers, series.verdict]
 
 
-def miss(sampled: int) -> str:
+def describe_power(sampled: int) -> str:
     """State the fault rate that a sample detects with probability 95%: 3 in n for n pairs.
 
-    >>> miss(300)
-    '300 pairs per law: a fault of more than one pair in 100 is missed with a probability below 5%.'
-    >>> miss(3)
+    >>> describe_power(300)
+    '300 pairs per law: a fault in 1 of 100 pairs would escape with probability below 5%.'
+    >>> describe_power(3)
     '3 pairs per law, as examples.'
     """
     if sampled < 10:
         return f"{sampled} pairs per law, as examples." if sampled else ""
     return (
-        f"{sampled:,} pairs per law: a fault of more than one pair in {max(1, sampled // 3):,} is "
-        "missed with a probability below 5%."
+        f"{sampled:,} pairs per law: a fault in 1 of {max(1, sampled // 3):,} pairs would escape "
+        "with probability below 5%."
     )
 
 
@@ -248,10 +244,7 @@ def pair_svg(pair: SweepPair) -> str:
 
 
 def write_figures(folder: Path, rows: Sequence[Finding]) -> dict[str, bytes]:
-    """Write the figures as SVG and PDF if matplotlib is installed; return the SVG by row name.
-
-    Figures whose evidence fails are skipped.
-    """
+    """Write the figures without failures as SVG and PDF; return the SVG by row name."""
     if not has_matplotlib():
         return {}
     from matplotlib import rc_context

@@ -1,5 +1,5 @@
 // Contacts of G at a stop, computed on demand in exact arithmetic. Floats only discard features
-// that are far apart; places are near 1, and their errors are far below this distance.
+// that are farther apart than this; places are near 1, and their errors are far smaller.
 const FAR = 1e-7;
 
 // All contacts at an exact position, as [event, index in G, index in D]: VV for equal vertices,

@@ -98,7 +98,7 @@ const pans = { ArrowRight: [-1, 0], ArrowLeft: [1, 0], ArrowUp: [0, 1], ArrowDow
 document.documentElement.addEventListener("keydown", (event) => {
   if (event.ctrlKey || event.metaKey || event.altKey) return;
   const { key, target } = event;
-  // The panel needs its keys for scrolling, buttons the space bar, and lists all keys.
+  // The panel keeps the keys for scrolling, a button the space bar, and a list all keys.
   const isOwn = target.matches("select") || target.closest("aside")
     ? slides[key] || [" ", "PageUp", "PageDown", "Home", "End"].includes(key)
     : key === " " && target.matches("button");

@@ -56,7 +56,7 @@ function placeOn({ places, contacts }, k) {
   return [places[i], places[i + 1]];
 }
 
-// The place of the anchor; at a stop, exactly that in the data.
+// The location of the anchor; at a stop, exactly as in the data.
 function place() {
   const k = stopBefore();
   const share = (at % PARTS) / PARTS;
@@ -244,7 +244,7 @@ function play(isOn) {
   playing = requestAnimationFrame(step);
 }
 
-// Drag G to the nearest place of the track, preferring places close along the track.
+// Drag G to the nearest point of the track, preferring points that are close along the track.
 function slideTo(x, y) {
   const [tx, ty] = view.place(x, y);
   const [px, py] = place();

@@ -2,7 +2,7 @@
 
 // The reach of the pointer, in pixels.
 const REACH = 9;
-const MOST_NAMED = 8;
+const MAX_NAMED = 8;
 
 function point(x, y) {
   pointer = [x, y];
@@ -39,12 +39,12 @@ function vertexAt(x, y) {
   const nearby = near.filter(({ off }) => off <= best + 0.5);
   if (!nearby.length) return null;
   const found = new Map();
-  for (const { k, name, exact } of nearby.slice(0, MOST_NAMED)) {
+  for (const { k, name, exact } of nearby.slice(0, MAX_NAMED)) {
     const text = exact(k);
     found.set(text, [...(found.get(text) || []), name(k)]);
   }
   const lines = [...found].flatMap(([text, names]) => [...names, text]);
-  if (nearby.length > MOST_NAMED) lines.push(`and ${nearby.length - MOST_NAMED} more: zoom in`);
+  if (nearby.length > MAX_NAMED) lines.push(`and ${nearby.length - MAX_NAMED} more; zoom in to see them`);
   return { lines, place: nearby[0].spot };
 }
 
@@ -73,13 +73,13 @@ const isSingle = ({ exact: [ax, ay, bx, by] }) => ax === bx && ay === by;
 
 function describeFit(k) {
   const fit = data.fits[k];
-  const [hanging, inside] = [0, 1].map(listed(fit));
+  const [start, inner] = [0, 1].map(listed(fit));
   return {
     fit,
     lines: [
       isSingle(fit)
-        ? `exact fit ${k}: G fits at ${inside} and cannot move`
-        : `exact fit ${k}: G can slide from ${hanging} to ${inside}, touching D on both sides`,
+        ? `exact fit ${k}: G fits at ${inner} and cannot move`
+        : `exact fit ${k}: G can slide from ${start} to ${inner}, touching D on both sides`,
     ],
   };
 }

@@ -4,7 +4,7 @@
 const DASHES = { EV: [], VE: [6, 4], EE: [2, 2.5], several: [8, 2, 2, 2] };
 // The length in pixels from which a line is dense, such as a zigzag of thousands of edges.
 const DENSE = 20_000;
-// The number of exact fits from which they are thin lines without markers.
+// Above this number, exact fits are thin lines without markers.
 const MANY = 60;
 
 class Scene {

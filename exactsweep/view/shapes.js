@@ -1,6 +1,6 @@
-// Conversion of places to pixels, and clipping. In places, y points up unless the data say down.
+// Conversion of places (scaled coordinates) to pixels, and clipping. Y points up unless data.down.
 
-// Lines are clipped this many pixels outside the canvas, to preserve precision and to limit dashes.
+// Lines are clipped this many pixels outside the canvas, for precision and to limit dashes.
 const BEYOND = 60;
 // Points closer than this to the preceding one, in pixels, are skipped.
 const FINE = 0.4;

@@ -24,8 +24,8 @@ from exactsweep.paper.checks import (
     slips,
     undercuts,
 )
+from exactsweep.paper.checks.beyond import find_contacts
 from exactsweep.paper.claim import Counterexample, Effort, Evidence, Observation, find_first_failure
-from exactsweep.paper.contact_segments import find_contacts
 from exactsweep.paper.costs import COSTS, Cost, measure_costs
 from exactsweep.paper.counting import CountedList, peak, seconds, watch_operations
 from exactsweep.paper.functions import look_up_bottom

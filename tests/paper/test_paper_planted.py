@@ -12,7 +12,7 @@ from exactsweep import Point, Polygon, sweep
 from exactsweep.evidence.contact import Contact
 from exactsweep.evidence.steps import Touch
 from exactsweep.paper import functions
-from exactsweep.paper.checks import appendix, beyond, section1, section2, section4, touching
+from exactsweep.paper.checks import appendix, beyond, section1, section2, section4
 from exactsweep.paper.functions import compare_loops
 from exactsweep.paper.pairs import SweepPair
 
@@ -116,7 +116,7 @@ def test_contacts_of_two_edges_at_a_time_are_reported(monkeypatch: pytest.Monkey
     step = appendix.list_lower_steps(sweep(*SQUARES))[0]
     middle = Point((step.start.x + step.end.x) / 2, (step.start.y + step.end.y) / 2)
     contacts = Contact("EV", 0, 1), Contact("EV", 1, 2)
-    monkeypatch.setattr(touching, "touches_are_right", lambda *_: ())
+    monkeypatch.setattr(section2, "touches_are_right", lambda *_: ())
     for ends, is_reported in ((step.end, step.start), True), ((middle, middle), False):
         spans = (step.start, ends[0]), (ends[1], step.end)
         touches = tuple(Touch(c, *span) for c, span in zip(contacts, spans, strict=True))

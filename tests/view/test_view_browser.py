@@ -206,7 +206,9 @@ def test_a_loop_of_10000_vertices_works(show: Open) -> None:
     assert shown.position in s.trajectory.vertices
     assert_in_place(shown, s, shown.position)
     assert shown.tab.is_visible("#incomplete")
-    assert re.fullmatch(r"and \d+ more: zoom in", shown.hover(*shown.pixels[0]).splitlines()[-1])
+    assert re.fullmatch(
+        r"and \d+ more; zoom in to see them", shown.hover(*shown.pixels[0]).splitlines()[-1]
+    )
     before = shown.position
     shown.press("+", "+", "PageDown")
     assert_in_place(shown, s, shown.position)

@@ -11,7 +11,7 @@ from exactsweep.evidence.contact import Contact
 from exactsweep.evidence.steps import Step, explain
 from exactsweep.numbers.number import Vertex
 from exactsweep.paper import functions
-from exactsweep.paper.checks import touching
+from exactsweep.paper.checks import section2
 from exactsweep.paper.checks.section3 import slope
 from exactsweep.paper.checks.section4 import lowest
 from exactsweep.paper.claim import Effort, Evidence, Observation
@@ -33,12 +33,12 @@ def list_lower_steps(s: Sweep) -> list[Step]:
 def one_edge_at_a_time(pair: SweepPair) -> Iterator[str]:
     """Simultaneous lasting contacts are EV or EE contacts of one edge of G."""
     s = sweep(*pair)
-    yield from touching.contacts_are_right(s)
+    yield from section2.contacts_are_right(s)
     for step in list_lower_steps(s):
-        yield from touching.touches_are_right(s, step)
-        for t in touching.list_moments(s, step.start, step.end):
+        yield from section2.touches_are_right(s, step)
+        for t in section2.list_moments(s, step.start, step.end):
             now = [
-                touch.contact for touch in step.touches if touching.lasts(t, touch.start, touch.end)
+                touch.contact for touch in step.touches if section2.lasts(t, touch.start, touch.end)
             ]
             if not are_of_one_edge(now):
                 yield f"after ({step.start.x}, {step.start.y}), simultaneous: {_name(now)}"
@@ -55,8 +55,6 @@ def _name(contacts: Sequence[Contact]) -> str:
 
 
 def find_passing_events(effort: Effort) -> Iterator[Observation]:
-    """Search for simultaneous events that do not last, and for parallel edges of a convex G."""
-
     def touches_in_passing(pair: SweepPair) -> Iterator[str]:
         s = sweep(*pair)
         for step in list_lower_steps(s):
@@ -88,11 +86,11 @@ def find_contact_extent(s: Sweep, t: Point, chain: Sequence[Vertex]) -> list[Fra
 def contact_moves_right(pair: SweepPair) -> Iterator[str]:
     """Both ends of the contact move right; points enter on the right and leave on the left."""
     s, (_, _, directrix) = sweep(*pair), pair.chains
-    yield from touching.contacts_are_right(s)
+    yield from section2.contacts_are_right(s)
     positions: set[Point] = set()
     for step in list_lower_steps(s):
         # Include positions between changes of contact.
-        positions |= {step.start, step.end, *touching.list_moments(s, step.start, step.end)}
+        positions |= {step.start, step.end, *section2.list_moments(s, step.start, step.end)}
     vertices = {x for x, _ in directrix}
     found = [(t, find_contact_extent(s, t, directrix)) for t in sorted(positions)]
     for (_, before), (t, now) in pairwise(found):
@@ -107,7 +105,6 @@ def contact_moves_right(pair: SweepPair) -> Iterator[str]:
 
 
 def find_contact_moving_left(effort: Effort) -> Iterator[Observation]:
-    """Show that the statement fails for a non-convex G."""
     found = search_grid(2, 8, "bent", "any", contact_moves_right)
     yield replace(found, cases=())
     yield "" if found.cases else "no counterexample with a non-convex G"
@@ -210,10 +207,7 @@ def watch_slots(partial: Graph) -> Graph:
 
 
 def envelope(pair: SweepPair) -> tuple[int, float]:
-    """Count the operations of LowerEnvelope_CM, including slots read in the partial trajectory.
-
-    The bound is the size of the input plus that of the trimmed pieces.
-    """
+    """Count operations and slots read; the bound is the size of the input and trimmed pieces."""
     top, _, directrix = count_chains(pair)
     with watch_operations() as tally:
         pieces = [to_graph(trajectory_cc(top, part)) for part in find_convex_parts(directrix)]

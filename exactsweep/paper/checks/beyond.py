@@ -1,25 +1,27 @@
 """Beyond the paper: polygons of any shape, compared with the definition."""
 
+from bisect import bisect_left, bisect_right
 from collections.abc import Iterable, Iterator
 from fractions import Fraction
 from itertools import chain, combinations, product
 
 from exactsweep import Point, Polygon, Region, inner_fit_polygon, no_fit_polygon, sweep
 from exactsweep.check import classify, point_in_polygon
+from exactsweep.check.cone import Cone, by_turn, find_common_direction, subtract
+from exactsweep.check.meeting import Cones, find_cones_of, split_where_touching
+from exactsweep.check.shape import LatticeShape, list_edges
 from exactsweep.corpus.generator.growing import cm_hard, forks
 from exactsweep.corpus.generator.shapes import Ring
 from exactsweep.geometry.segment import Segment, choose_cover, lay_point, make_segment
-from exactsweep.numbers.number import Edge
-from exactsweep.paper import functions, kernel
+from exactsweep.numbers.number import Edge, Vertex
+from exactsweep.paper import functions, kernel, read_toml
 from exactsweep.paper.checks.section1 import SHARE, STEP
 from exactsweep.paper.checks.section2 import CAVITY, swept_area_is_the_definition
 from exactsweep.paper.claim import Counterexample, Effort, Evidence, Observation
-from exactsweep.paper.contact_segments import find_contacts
 from exactsweep.paper.costs import count_all
 from exactsweep.paper.counting import count_chains, count_operations, grow, make_counted
 from exactsweep.paper.growth import BOUNDS
 from exactsweep.paper.pairs import Chains, SweepPair, read_pair
-from exactsweep.paper.toml import read_toml
 from exactsweep.procedures.chain import inverse
 from exactsweep.procedures.segments import find_contact_segments
 
@@ -101,7 +103,6 @@ def inner_fit_is_the_definition(pair: SweepPair) -> Iterator[str]:
 
 
 def compare_inner_fits(container: Region | Ring, part: Ring) -> Iterator[str]:
-    """Describe how an inner fit differs from the definition."""
     yield functions.explain_unproved(inner_fit_polygon(container, part))
 
 
@@ -168,7 +169,6 @@ def holes(pair: SweepPair) -> int:
 
 
 def count_holes(effort: Effort) -> Iterator[Observation]:
-    """Count the holes of no-fit polygons of forks, and compare a small one with the definition."""
     yield Evidence("A family of forks; a small pair is compared with the definition.")
     yield from functions.no_fit_is_the_definition(SweepPair(*forks(18, 18)))
     sizes = [(6 + 12 * k, 6 + 12 * k) for k in range(1, 3 if effort.quick else 4)]
@@ -217,7 +217,6 @@ def sweep_by_parts(pair: SweepPair) -> int:
 
 
 def count_convolution(effort: Effort) -> Iterator[Observation]:
-    """Count the operations of two Minkowski sum algorithms for the trajectory and G."""
     yield Evidence("Operations and contact segments are counted.")
     summed, swept, *_ = growth = list(count_all("Minkowski sum algorithms", effort))
     yield from growth
@@ -230,3 +229,54 @@ def count_convolution(effort: Effort) -> Iterator[Observation]:
         f"SweepO_CM {other.count:,}: both {summed.verdict} with mn",
         "deep teeth, at the largest counted size",
     )
+
+
+_Angles = dict[Vertex, Cones]
+
+
+def find_contacts(d: LatticeShape, h: LatticeShape) -> tuple[list[Edge], set[Vertex]]:
+    """Find segments and points that contain all positions of contact without overlap.
+
+    Cost: O((m + n) log(m + n)) for m and n edges, and O(1) per segment.
+    """
+    # A segment is the sum of a vertex of D or of H = -G and an edge of the other shape. It is
+    # dropped if an angle at the vertex reaches to the right of the edge: D and G + t overlap there.
+    # Two vertices meet at an end of a remaining segment: if two angles have no common direction,
+    # one of them lies beyond a side of the other. Where rings touch, a vertex has several angles;
+    # these positions need not lie on a segment, and are returned as points.
+    shapes = split_where_touching(d), split_where_touching(h)
+    one, other = map(find_cones_of, shapes)
+    segments = [*_list_sums(one, shapes[1]), *_list_sums(other, shapes[0])]
+    pinched_d, pinched_h = ([(p, c) for p, c in of.items() if len(c) > 1] for of in (one, other))
+    points = {
+        _add(p, q)
+        for (p, cones), (q, others) in chain(
+            product(pinched_d, other.items()), product(one.items(), pinched_h)
+        )
+        if not find_common_direction(
+            cones, [Cone(_negate(c.start), _negate(c.end)) for c in others]
+        )
+    }
+    return segments, points
+
+
+def _list_sums(angles: _Angles, walls: LatticeShape) -> Iterator[Edge]:
+    """Yield the sums of a vertex and an edge with no angle that reaches to the edge's right."""
+    directions = sorted((by_turn(subtract(b, a)), (a, b)) for a, b in list_edges(walls))
+    keys = [key for key, _ in directions]
+    for v, (cone, *others) in angles.items():
+        if not cone.is_wide:
+            start, end = by_turn(_negate(cone.end)), by_turn(cone.start)
+            k, j = bisect_left(keys, start), bisect_right(keys, end)
+            for _, (a, b) in directions[k:j] if start <= end else directions[k:] + directions[:j]:
+                right = [Cone(subtract(a, b), subtract(b, a))] if others else []
+                if not find_common_direction(others, right):
+                    yield _add(v, a), _add(v, b)
+
+
+def _negate(p: Vertex) -> Vertex:
+    return -p[0], -p[1]
+
+
+def _add(p: Vertex, q: Vertex) -> Vertex:
+    return p[0] + q[0], p[1] + q[1]

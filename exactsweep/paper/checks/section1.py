@@ -48,8 +48,6 @@ def touches_without_overlap(pair: SweepPair) -> Iterator[str]:
 
 
 def find_exact_fit(effort: Effort) -> Iterator[Observation]:
-    """Search for a contact position that is not on the trajectory."""
-
     def fits(pair: SweepPair) -> Iterator[str]:
         for (ax, ay), (bx, by) in sweep(*pair).exact_fits[:1]:
             middle = (ax + bx) / 2, (ay + by) / 2

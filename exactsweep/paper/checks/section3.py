@@ -10,7 +10,7 @@ from exactsweep.corpus.generator.shapes import walk
 from exactsweep.geometry.canonical import PolygonError
 from exactsweep.geometry.vectors import minus
 from exactsweep.numbers.number import Edge, Vertex
-from exactsweep.paper.checks.touching import contacts_are_right
+from exactsweep.paper.checks.section2 import contacts_are_right
 from exactsweep.paper.claim import Effort, Evidence, Observation
 from exactsweep.paper.costs import RUNS
 from exactsweep.paper.functions import (

@@ -10,8 +10,8 @@ from exactsweep.draw.intervals import SweepFeatures
 from exactsweep.evidence.undercut import Undercut
 from exactsweep.numbers.number import Vertex
 from exactsweep.paper.checks.section1 import STEP
+from exactsweep.paper.checks.section2 import contacts_are_right
 from exactsweep.paper.checks.section3 import returns
-from exactsweep.paper.checks.touching import contacts_are_right
 from exactsweep.paper.claim import Counterexample, Effort, Evidence, Observation, Table
 from exactsweep.paper.costs import RUNS
 from exactsweep.paper.functions import (
@@ -156,7 +156,6 @@ def sizes_are_bounded(pair: SweepPair) -> Iterator[str]:
 
 
 def find_large_parts(effort: Effort) -> Iterator[Observation]:
-    """Count the edges of outer boundaries when G_t is a single edge."""
     rows = []
     for n_b in (4, 8, 16):
         pair = under_a_lid(n_b)

@@ -143,8 +143,6 @@ def _measure_width(normal: Vertex, polygon: AnyPolygon) -> Rational:
 
 
 def find_missing_edge(effort: Effort) -> Iterator[Observation]:
-    """Search for edges of a trajectory along which a loop has no edge, or both are too near."""
-
     def lacks(pair: SweepPair, name: str) -> Iterator[str]:
         s = sweep(*pair)
         slopes, own = ({*map(slope, list_edges(x))} for x in (s.trajectory, getattr(s, name)))

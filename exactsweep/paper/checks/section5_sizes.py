@@ -59,7 +59,6 @@ def pieces_at_the_sides(segments: Sequence[Stroke]) -> int:
 
 
 def fill_windows(effort: Effort) -> Iterator[Observation]:
-    """Count the pieces of trajectories that contain many envelopes of segments."""
     rows = []
     for segments in BEST:
         pair, count, most = build_windows(segments), len(segments), count_pieces(segments)
@@ -89,7 +88,6 @@ def _report_fall(rates: Sequence[str], words: str) -> str:
 
 
 def find_outer(pair: SweepPair) -> list[Vertex]:
-    """Return the outer boundary of the lower sweep, after a comparison with the definition."""
     outer = keep_corners(RUNS["Sweep_MM, outer loop"](pair.chains))
     if failure := describe_difference("the outer boundary", outer, look_up_bottom(pair, "outer")):
         raise ExactSweepError(failure)
@@ -127,7 +125,6 @@ def find_beyond_mn2(effort: Effort) -> Iterator[Observation]:
 
 
 def fill_windows_of_windows(effort: Effort) -> Iterator[Observation]:
-    """Count the edges of outer boundaries."""
     last = RECORDS[-1]
     yield Evidence(
         "The family of Figure 10; windows of windows, and the records of a search, both compared "

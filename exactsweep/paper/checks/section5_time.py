@@ -23,8 +23,6 @@ Inner = Callable[[Chains, Graph], list[Vertex]]
 
 
 def count_one_merge(effort: Effort) -> Iterator[Observation]:
-    """Count the operations of one merge, and merge all pairs of tiny chains."""
-
     def run(*chains: Sequence[Vertex]) -> Graph:
         return lower_envelope_mm(list(map(kernel.to_graph, chains)))
 
@@ -45,7 +43,6 @@ def count_one_merge(effort: Effort) -> Iterator[Observation]:
 
 
 def _tiny_chains() -> list[list[Vertex]]:
-    """List all chains over 0 to 2 with heights 0 to 2, starting with single edges."""
     straight: list[list[Vertex]] = [[(0, a), (2, b)] for a, b in product(range(3), repeat=2)]
     bends: list[list[Vertex]] = [
         [(0, a), (1, b), (2, c)] for a, b, c in product(range(3), repeat=3) if a + c != 2 * b
@@ -95,7 +92,6 @@ def merge_parts_in_turn(pair: SweepPair) -> int:
 
 
 def merge_parts_by_halves(pair: SweepPair) -> int:
-    """Count the operations of merging sub-trajectories by halves."""
     graphs = _sub_trajectories(counting.count_chains(pair))
     with counting.watch_operations() as tally:
         merged = lower_envelope_mm(graphs)

@@ -58,7 +58,6 @@ def boundary_is_trajectory(pair: SweepPair) -> Iterator[str]:
 
 
 def find_loops_apart(effort: Effort) -> Iterator[Observation]:
-    """Search for two pairs with equal G_t and D_b, but different outer loops."""
     first: dict[tuple[tuple[Vertex, ...], ...], SweepPair] = {}
 
     def fails(pair: SweepPair) -> Iterator[str]:

@@ -26,7 +26,6 @@ from exactsweep.procedures.undercuts import find_undercuts
 
 
 def find_long_undercut(effort: Effort) -> Iterator[Observation]:
-    """Count the edges of inner boundaries over needles, and of single undercuts."""
     yield Evidence("A family of needles; a certificate proves one pair.")
     yield from prove(SweepPair(*needles(10, 8)))
     for growth in count_all("Lemma 5.5", effort):
@@ -42,7 +41,6 @@ def find_long_undercut(effort: Effort) -> Iterator[Observation]:
 
 
 def find_longest(pair: SweepPair) -> int:
-    """Count the edges of the longest bottom chain of an undercut."""
     return max((len(u.bottom) - 1 for u in sweep(*pair).undercuts), default=0)
 
 
@@ -54,7 +52,6 @@ def long_undercut(pair: SweepPair) -> Iterator[str]:
 
 
 def prove(pair: SweepPair) -> Iterator[str]:
-    """Compare a pair with the definition, and verify its certificate."""
     yield from undercuts_fill_the_inner_loop(pair)
     verdict = verify(sweep(*pair).certificate())
     yield "" if verdict.proved else verdict.reason
@@ -93,7 +90,6 @@ def count_lower_undercuts(pair: SweepPair) -> int:
 
 
 def count_undercuts(effort: Effort) -> Iterator[Observation]:
-    """Count the undercuts under ceilings, and verify certificates of small pairs."""
     small = [(7, 8)] if effort.quick else [(7, 8), (10, 12), (13, 16)]
     tried = ", ".join(map(str, small))
     yield Evidence(f"A family of ceilings. Certificates prove the pairs of {tried}.")

@@ -19,8 +19,8 @@ from exactsweep.canvas import style
 from exactsweep.canvas.style import Look
 from exactsweep.draw import Picture
 from exactsweep.numbers.number import Vertex
+from exactsweep.paper import read_toml
 from exactsweep.paper.figures.figure import PaperFigure, find_middle
-from exactsweep.paper.toml import read_toml
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -55,7 +55,6 @@ def find_look(name: str) -> Look:
 
 
 def draw_figure(name: str, figure: PaperFigure) -> Figure:
-    """Draw a figure by its entry in drawings.toml; raises DrawError if matplotlib is missing."""
     plan = _load()[name]
     panels = [
         PanelDrawer(
@@ -196,10 +195,7 @@ _POINTS = 72.0
 
 
 class Extent(NamedTuple):
-    """The rectangle, title and margins of a panel.
-
-    Margins are in points, on the left, below, on the right and above; labels may extend into them.
-    """
+    """A panel's rectangle and title, and the margins left, below, right and above, in points."""
 
     low: Vertex
     high: Vertex
@@ -216,7 +212,6 @@ class Extent(NamedTuple):
         return 12 if self.title else 0
 
     def measure(self, unit: float) -> tuple[float, float]:
-        """Return width and height in points, including margins and title, for a unit in points."""
         left, bottom, right, top = self.margins
         wide, high = (float(high - low) for low, high in zip(self.low, self.high, strict=True))
         return wide * unit + left + right, high * unit + bottom + top + self.title_height
@@ -228,10 +223,7 @@ def _find_unit(row: Sequence[Extent], across: float) -> float:
 
 
 def lay_out(rows: Sequence[Sequence[Extent]], inches: float) -> tuple[Figure, list[Picture]]:
-    """Make a figure of panels without axes, at the largest common scale at which all rows fit.
-
-    Returns the matplotlib figure and a Picture for each panel.
-    """
+    """Make a figure and a Picture for each panel, at the largest common scale at which all fit."""
     require_matplotlib()
     from matplotlib.figure import Figure
 
@@ -259,7 +251,6 @@ def lay_out(rows: Sequence[Sequence[Extent]], inches: float) -> tuple[Figure, li
 
 
 def _spread(row: Sequence[Extent], unit: float, across: float) -> Iterator[float]:
-    """Yield the left ends of the panels in a row, separated by equal gaps."""
     widths = [box.measure(unit)[0] for box in row]
     gap = (across - sum(widths)) / (len(row) + 1)
     left = gap

@@ -8,10 +8,10 @@ from typing import Any, NamedTuple, cast
 from exactsweep.check import classify
 from exactsweep.draw import place_generatrix
 from exactsweep.numbers.number import Loop, Point, Vertex
+from exactsweep.paper import read_toml
 from exactsweep.paper.claim import Observation, Table
 from exactsweep.paper.functions import compare_loops
 from exactsweep.paper.pairs import Chains
-from exactsweep.paper.toml import read_toml
 from exactsweep.procedures.chain import split
 from exactsweep.sweep import Sweep
 
@@ -31,7 +31,6 @@ class PaperFigure(NamedTuple):
     sweeps: Sequence[tuple[Sweep, Sequence[Point]]] = ()
 
     def list_shapes(self) -> dict[str, Any]:
-        """Return all shapes by name, including those of the sweeps."""
         shapes: dict[str, Any] = {}
         for s, positions in self.sweeps:
             for name in ("directrix", "trajectory", "inner", "outer"):
@@ -41,7 +40,6 @@ class PaperFigure(NamedTuple):
         return {**shapes, **self.shapes}
 
     def find_failures(self) -> Iterator[str]:
-        """Yield laws that fail, loops that are wrong, and positions without contact."""
         for s, positions in self.sweeps:
             yield from compare_loops(s)
             yield from _compare_positions(s, positions)

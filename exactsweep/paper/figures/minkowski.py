@@ -43,11 +43,8 @@ def invert_generatrix(s: Sweep) -> Polygon:
 
 
 def compute_minkowski() -> PaperFigure:
-    """Compute the figure.
-
-    The sum of D and G is the no-fit polygon of D and I(G). The sum of D's boundary and G excludes
-    the points p such that p + I(G) lies in the interior of D.
-    """
+    # The sum of D and G is the no-fit polygon of D and I(G). The sum of D's boundary and G excludes
+    # the points p such that p + I(G) lies in the interior of D.
     s = sweep_example()
     inverted = invert_generatrix(s)
     around = no_fit_polygon(s.directrix, inverted)

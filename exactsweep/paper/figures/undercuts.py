@@ -80,7 +80,6 @@ def _show_undercut(letter: str, s: Sweep, kind: str) -> PaperFigure:
 
 
 OFFSETS = {"VE": (-10, 6), "EV": (4, -10)}
-"""Offsets of the names of events, in points from the contact."""
 
 
 def compute_vertex_event() -> PaperFigure:
