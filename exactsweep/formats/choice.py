@@ -14,7 +14,6 @@ _SHOWN = 4
 
 
 def choose(candidates: Sequence[Candidate], choice: str | None) -> Candidate:
-    """Return the selected candidate, or the only one; raises FormatError."""
     if choice is not None:
         found = select(candidates, choice)
         if len(found) == 1:
@@ -82,7 +81,6 @@ def select(candidates: Sequence[Candidate], choice: str) -> list[Candidate]:
 
 
 def is_group(candidates: Sequence[Candidate], choice: str | None) -> bool:
-    """Return whether a choice selected the outlines of one group."""
     return bool(candidates) and all(
         choice in one.groups and choice not in (one.name, one.layer) for one in candidates
     )
@@ -98,10 +96,7 @@ def _shortest_choice(candidates: Sequence[Candidate], index: int) -> str:
 
 
 def keep_layers(outlines: Sequence[Candidate], reading: Reading) -> Sequence[Candidate]:
-    """Keep the outlines on the selected layers, and count the others in a note.
-
-    SVG groups with an id count as layers. Raises FormatError if a layer does not exist.
-    """
+    """Keep the outlines on the selected layers (or SVG groups), and count the others in a note."""
     wanted, ignored = ({*map(str.casefold, n)} for n in (reading.layers, reading.ignored_layers))
     if not wanted and not ignored:
         return outlines
@@ -129,7 +124,6 @@ def list_layers(outline: Candidate) -> list[str]:
 
 
 def get_layer(outline: Candidate) -> str | None:
-    """Return the layer of an outline, else its innermost group, else None."""
     return outline.groups[-1] if outline.layer is None and outline.groups else outline.layer
 
 

@@ -29,11 +29,7 @@ _OTHER = re.compile(r"[^a-z0-9]+")
 
 
 def name_columns(head: Iterable[str]) -> dict[str, str]:
-    """Map each meaning to its column; raise FormatError for two columns with one meaning.
-
-    >>> name_columns(["X", "y", "Angle (rad)"])
-    {'x': 'X', 'y': 'y', 'radians': 'Angle (rad)'}
-    """
+    """Map each meaning to its column; raise FormatError for two columns with one meaning."""
     found: dict[str, str] = {}
     for name in head:
         meaning = _MEANINGS.get(_simplify(name))
@@ -45,7 +41,6 @@ def name_columns(head: Iterable[str]) -> dict[str, str]:
 
 
 def reject_placements(head: Sequence[str], place: str) -> None:
-    """Raise FormatError if the columns are those of a placement table."""
     meanings = [_MEANINGS.get(name, name) for name in map(_simplify, head)]
     placing = [k for k, meaning in enumerate(meanings) if meaning in _PLACING | _SIZES]
     if placing and {"x", "y"} <= {*meanings}:

@@ -78,11 +78,7 @@ def format_decimal(value: Fraction) -> str:
 
 
 def show_point(point: Point) -> str:
-    """Format a point for a message: short decimals exactly, others rounded.
-
-    >>> show_point(Point(Fraction(1, 8), Fraction(1, 3)))
-    '(0.125,0.3333333333)'
-    """
+    """Format a point for a message: short decimals exactly, others rounded."""
     return f"({','.join(map(show_number, point))})"
 
 

@@ -29,10 +29,7 @@ class Nested(NamedTuple):
 
 
 def nest_candidates(outlines: Sequence[Candidate]) -> list[Candidate]:
-    """Turn outlines at odd depth into holes; reject ambiguous ones, and ignore ornaments.
-
-    If one outline is not a simple polygon, all are rejected, because it might be a hole.
-    """
+    """Turn outlines at odd depth into holes; reject all if one, maybe a hole, is not simple."""
     plain = [outline for outline in outlines if not outline.ornament]
     try:
         for outline in plain:

@@ -15,7 +15,6 @@ def is_esicup(root: Element) -> bool:
 
 
 def read_esicup(root: Element) -> list[Candidate]:
-    """Find the boards and pieces of an instance, named by their ids."""
     polygons = {one.get("id", ""): one for one in root.iter() if _find_kind(one) == "polygon"}
     return [_read_piece(one, polygons) for one in root.iter() if _find_kind(one) == "piece"]
 

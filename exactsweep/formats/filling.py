@@ -37,15 +37,9 @@ class Filled(NamedTuple):
 
 
 def fill(rings: Sequence[Sequence[Point]], rule: Rule, *, measured: bool = False) -> Filled:
-    """Find the regions that rings fill.
+    """Find the regions that rings fill; compute `hidden` if `measured` and edges touch.
 
-    Args:
-        rings: the vertices of each ring; the last may repeat the first.
-        rule: whether points with nonzero, odd or positive winding numbers are filled.
-        measured: whether to compute `hidden` if edges touch.
-
-    Raises:
-        PolygonError: too many edges cross or are close together (MAX_PAIRS).
+    Raises PolygonError if too many edges cross or are close together (MAX_PAIRS).
 
     Cost: O((n + k) log n) for n edges and k intersections, if the sweep line crosses few edges.
 

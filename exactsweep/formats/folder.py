@@ -21,9 +21,7 @@ ENDINGS = (".json", ".jsonl", ".geojson", ".wkt", ".csv", ".svg", ".dxf")
 
 
 class ListedPart(NamedTuple):
-    """A candidate with its name, which need not be unique, and its file name."""
-
-    name: str
+    name: str  # not necessarily unique
     file: str
     candidate: Candidate
 
@@ -37,14 +35,9 @@ class Listing(NamedTuple):
 
 
 def find_files(path: str) -> list[str]:
-    """Find the files of a path, folder or pattern such as `parts/*.dxf`, sorted.
+    """Find the files of a path, folder or pattern, sorted; a folder includes its subfolders.
 
-    An existing file has priority over a pattern; `**` matches any folders. In a folder, all visible
-    files with a suffix in ENDINGS are found, also in subfolders. Raises FormatError if there are
-    none.
-
-    >>> find_files("part.json"), find_files("-")
-    (['part.json'], ['-'])
+    An existing file has priority over a pattern. Hidden files in folders are skipped.
     """
     if os.path.isdir(path):
         found = [

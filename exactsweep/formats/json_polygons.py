@@ -54,7 +54,6 @@ def _is_list_of_rings(value: object) -> bool:
 
 
 def _read_result(node: JsonNode, document: Mapping[str, object]) -> list[Candidate]:
-    """Find the loops of a result, named by their kind and the names of the pair."""
     found: list[Candidate] = []
     for member in _LOOPS:
         if member not in document:
@@ -116,11 +115,7 @@ def _read_one(node: JsonNode) -> Candidate:
 def read_geojson(
     document: Mapping[str, object], path: str = "$", notes: dict[str, None] | None = None
 ) -> list[Candidate]:
-    """Find the Polygons of a document parsed by `parse_json`, named by their Feature ids.
-
-    Other geometries and open rings become rejected candidates. Raises FormatError for malformed
-    collections and ids.
-    """
+    """Find the Polygons of a document parsed by `parse_json`; other geometries are rejected."""
     found = _read_geometry(JsonNode(document, path), None, 0, {} if notes is None else notes)
     return [*allow_faults(found)]
 

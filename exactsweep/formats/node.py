@@ -33,7 +33,6 @@ class JsonNode(NamedTuple):
         return JsonNode(self.value[name], f"{self.path}.{name}")
 
     def either(self, name: str) -> JsonNode:
-        """Return a member if it exists, else this node."""
         return self / name if self.has(name) else self
 
     def get(self, name: str, default: object) -> JsonNode:
@@ -91,7 +90,6 @@ class JsonNode(NamedTuple):
 
     @property
     def ring(self) -> list[list[str]]:
-        """A list of points, as a Layout JSON ring."""
         return write_ring([read_point(*point) for point in self.each()])
 
     @property

@@ -94,11 +94,7 @@ def _parse(text: str, reading: Reading) -> Sequence[Candidate]:
 
 
 def measure_written(text: str) -> int:
-    r"""Bound the size that a reader charges for output of `format_polygons`, or for JSON.
-
-    >>> measure_written("[[0,0],[1,0],[0,1]]"), measure_written("0,0\n1,0\n0,1\n")
-    (64, 48)
-    """
+    """Bound the size that a reader charges for output of `format_polygons`, or for JSON."""
     first = text.lstrip()[:1]
     if first == "<":
         return max(size.measure_text(text, text.count(",")), size.ELEMENT * text.count("<"))

@@ -50,11 +50,8 @@ def to_json_text(text: str) -> str:
 
 
 def parse_numbers(text: str) -> list[Candidate]:
-    """Read polygons: lines of two numbers, with blank lines between polygons, or counted pairs.
+    """Read lines of two numbers, with blank lines between polygons, or counted pairs.
 
-    >>> text = chr(10).join(("0 0", "1 0", "0 1"))
-    >>> [len(one.vertices()) for one in parse_numbers(text)]
-    [3]
     >>> [len(one.vertices()) for one in parse_numbers("3 0 0 1 0 0 1")]
     [3]
     """

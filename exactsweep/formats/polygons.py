@@ -206,7 +206,6 @@ def _read_one(
 
 
 def read_single(one: Candidate, read: Callable[[Candidate], _OneRead]) -> _OneRead:
-    """Read one polygon; raises FormatError if an outline fills several."""
     remarks = Remarks([], [])
     found = one.read(read, remarks)
     if len(found) == 1:

@@ -101,7 +101,6 @@ class Reading:
         self.separate = bool(nested)
 
     def without_nesting(self) -> Reading:
-        """Return fresh settings without nesting."""
         found = copy(self)
         found.nested = False
         found.skipped, found.notes = Counter(), {}
@@ -114,7 +113,6 @@ class Reading:
         return cast(Options, given | {"clean": self.clean or None})
 
     def with_tolerance(self, tolerance: Fraction) -> Reading:
-        """Return fresh settings with another tolerance."""
         found = self.without_nesting()
         found.tolerance, found.nested = tolerance, self.nested
         return found

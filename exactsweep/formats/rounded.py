@@ -39,13 +39,7 @@ class _Round(NamedTuple):
 
 
 def find_rounded(path: Path) -> RoundedOutline | None:
-    """Return the hull and the radius of a rounded path; None for other paths and irrational radii.
-
-    >>> from exactsweep.formats.curved.affine import make_affine
-    >>> from exactsweep.formats.curved.path import draw_circle
-    >>> print(find_rounded(draw_circle(make_affine(3, 4, -4, 3, 1, 0))).radius)
-    5
-    """
+    """Return hull and radius of a rounded path; None for other paths and irrational radii."""
     if not path.curves or path.gap or path.soft or not path.is_closed:
         return None
     found = [_find_circle(*drawn) for drawn in path.curves.values()]

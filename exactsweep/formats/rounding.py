@@ -169,7 +169,6 @@ def round_region(region: Region, places: int, side: Side = "closest") -> Rounded
 
 
 def contains(outer: Region, inner: Region) -> bool:
-    """Return whether a region contains another one; boundaries may touch."""
     _, (around, within) = share_lattice([outer, inner])
     return overlap.contains(around, within)
 

@@ -30,14 +30,7 @@ _Enclosed = TypeVar("_Enclosed")
 
 
 def parse_wkt(text: str, notes: dict[str, None] | None = None) -> list[Candidate]:
-    """Read any number of POLYGON, MULTIPOLYGON and GEOMETRYCOLLECTION, case-insensitive.
-
-    `notes` receives a note on open rings. Raises FormatError, with line and column, for M
-    coordinates, varying Z in a polygon, and syntax errors.
-
-    >>> [len(o.vertices()) for o in parse_wkt("POLYGON ((0 0, 1 0, .5 1e2, 0 0))")]
-    [4]
-    """
+    """Read POLYGONs, MULTIPOLYGONs and GEOMETRYCOLLECTIONs; `notes` receives open rings."""
     reader = _Reader(text)
     found = [*allow_faults(reader.outlines())]
     if reader.opened and notes is not None:
@@ -161,7 +154,6 @@ class _Reader:
 
 
 def parse_wkt_path(text: str) -> list[Point] | None:
-    """Read a WKT LINESTRING or POINT; return None for other geometries."""
     reader = _Reader(text)
     if reader.kind != "word" or reader.word.upper() not in _OTHERS:
         return None

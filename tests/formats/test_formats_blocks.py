@@ -171,7 +171,7 @@ def cox_de_boor(knots: list[Fraction], k: int, degree: int, t: Fraction) -> Frac
 def test_a_block_draws_up_to_the_limit(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
-    monkeypatch.setattr("exactsweep.formats.curved.dxf_block.MAX_COPIES", 6)
+    monkeypatch.setattr("exactsweep.formats.curved.dxf.MAX_COPIES", 6)
     steps = (44, 9), (45, 9)
     text = with_blocks({"a": TRIANGLE}, insert("a", (70, 3), (71, 2), *steps))
     assert len(parse_polygons(text)) == 6

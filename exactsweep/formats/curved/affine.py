@@ -47,7 +47,6 @@ class Affine(NamedTuple):
         return Point(u + self.e if self.e else u, v + self.f if self.f else v)
 
     def vector(self, x: Fraction, y: Fraction) -> Point:
-        """Map a difference of two points."""
         return Point(_add_products(self.a, x, self.c, y), _add_products(self.b, x, self.d, y))
 
     def bound_error(self, points: Iterable[Point]) -> Fraction:

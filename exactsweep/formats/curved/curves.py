@@ -33,8 +33,7 @@ class Curve(Protocol):
     def bend(self) -> Fraction:
         """Bound the length of the second derivative."""
 
-    def least(self) -> int:
-        """Return the minimum number of chords."""
+    def min_chords(self) -> int: ...
 
     def points(self, parameters: Iterable[int], grid: int) -> list[Point]:
         """Return the points at the given parameters, rounded to multiples of 1 / grid."""
@@ -71,7 +70,7 @@ class Bezier(NamedTuple):
         twice = n * (n - 1) * (_largest(second) + _largest(second_w) * reach)
         return (twice + 2 * n * _largest(first_w) * speed) / least / scale
 
-    def least(self) -> int:
+    def min_chords(self) -> int:
         return 1
 
     def _lattice(self) -> tuple[int, list[tuple[int, int]]]:
@@ -135,8 +134,7 @@ class Arc(NamedTuple):
     def bend(self) -> Fraction:
         return self.radius * Fraction(self.span) ** 2 * _MARGIN
 
-    def least(self) -> int:
-        """Return one chord per quarter turn, rounded up."""
+    def min_chords(self) -> int:
         return max(1, ceil(self.span / (pi / 2) - 2**-30))
 
     def points(self, parameters: Iterable[int], grid: int) -> list[Point]:

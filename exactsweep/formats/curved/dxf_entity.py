@@ -52,7 +52,6 @@ class Entity:
         return own + sum(vertex.size for vertex in self.vertices)
 
     def number(self, code: int, default: str | None = None) -> Fraction:
-        """Return the number with a group code, or the default."""
         text = self._text(code, default)
         with prefix_errors(f"group {code}", FormatError):
             return read_decimal(text)
@@ -108,7 +107,6 @@ class Entity:
         return points, bulges[:-1]
 
     def vertex_corners(self, reading: Reading) -> tuple[list[Point], list[Fraction]]:
-        """Return the vertices of a POLYLINE, and the bulge after each."""
         points, bulges, heights = [], [], []
         for vertex in self.vertices:
             with prefix_errors(vertex.place):

@@ -45,15 +45,12 @@ class OpenLine(NamedTuple):
 
 
 class _Joined(NamedTuple):
-    """A line, its index in the file, and the joints at its ends."""
-
-    order: int
+    order: int  # its index in the file
     line: OpenLine
-    joints: tuple[int, int]
+    joints: tuple[int, int]  # at its ends
 
 
 def join_layers(drawn: Iterable[Candidate | OpenLine], reading: Reading) -> list[Candidate]:
-    """Join the open lines of each layer, and list all outlines in file order."""
     found: list[tuple[int, Candidate]] = []
     lines: defaultdict[str | None, dict[int, OpenLine]] = defaultdict(dict)
     for order, one in enumerate(drawn):
@@ -147,10 +144,7 @@ def _note_gaps(
 
 
 class Joints:
-    """A hash grid of points to which line ends within `reach` snap.
-
-    With a tolerance, new joints are rounded to a decimal grid.
-    """
+    """A hash grid of points that line ends snap to, on a decimal grid if a tolerance is given."""
 
     def __init__(
         self, reach: Fraction, known: Iterable[Point] = (), tolerance: Fraction | None = None

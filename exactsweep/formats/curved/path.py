@@ -92,7 +92,6 @@ class Path:
         return found
 
     def moved(self, start: Point, end: Point) -> Path:
-        """Return the path with its ends moved to other points."""
         found = Path([start, *self.points[1:-1], end], self.curves.copy(), self.error)
         found.soft = self.soft - {0, len(self.points) - 1}
         if not self.is_exact:
@@ -101,7 +100,6 @@ class Path:
         return found
 
     def closed(self) -> Path:
-        """Return the path with a line back to its start."""
         found = self.moved(self.points[0], self.points[-1])
         if not self.is_closed:
             found.points.append(found.points[0])
@@ -144,7 +142,6 @@ class Path:
         return find_share(self.size, CURVED if self.curves else _STRAIGHT)
 
     def find_error(self, reading: Reading) -> Fraction:
-        """Bound the distance between the path and its chords."""
         tolerance = self.find_tolerance(reading)
         return tolerance + (self.gap if 4 * self.gap > tolerance else 0)
 
@@ -237,7 +234,7 @@ class Path:
 def _divide(curve: Curve, tolerance: Fraction, reading: Reading) -> list[int]:
     """Return the parameters of vertices, so that chords use only their share of the tolerance."""
     bend = curve.bend() / (8 * _CHORDS * tolerance)
-    count = max(curve.least(), -(-round_root_up(bend) // 1))
+    count = max(curve.min_chords(), -(-round_root_up(bend) // 1))
     reading.allow_lines(count)
     return [WHOLE * k // count for k in range(1, count)]
 
@@ -255,7 +252,6 @@ def _list_distances(end: _End, parameters: Sequence[int]) -> list[tuple[float, i
 
 
 def _find_parameter(end: _End, row: Sequence[tuple[float, int]], distance: float) -> int:
-    """Find the parameter at a distance from the end, by bisection."""
     low = high = 0
     for known, parameter in row:
         if known == distance:

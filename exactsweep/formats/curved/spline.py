@@ -79,7 +79,6 @@ class Spline(NamedTuple):
             raise FormatError("expected one positive weight for each control point")
 
     def pieces(self) -> Iterator[tuple[list[Point], list[Fraction]]]:
-        """Yield the control points and weights of its Bezier curves."""
         weights = self.weights or [Fraction(1)] * len(self.points)
         lifted = [(x * w, y * w, w) for (x, y), w in zip(self.points, weights, strict=True)]
         for k in range(self.degree, len(self.points)):

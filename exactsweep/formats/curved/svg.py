@@ -34,7 +34,6 @@ MAX_DEPTH = 32  # of nested uses
 
 
 def read_svg(root: Element, reading: Reading, style: Style | None = None) -> list[Candidate]:
-    """Find the outlines of an element from `parse_xml`; `style` is that of its document."""
     if name_kind(root) != "svg":
         raise FormatError(f"line {line(root)}: the root element is {quote(root.tag)}, not svg")
     document = Document(root, reading)
@@ -77,7 +76,6 @@ class Document:
         }
 
     def shapes(self, placed: PlacedElement, depth: int) -> Iterator[PlacedElement]:
-        """Yield the visible shapes inside an element."""
         for child in placed.element:
             yield from self._drawn(PlacedElement(child, placed, self.reading), depth)
 
@@ -195,7 +193,6 @@ def is_filled(shape: PlacedElement) -> bool:
 def _draw_regions(
     closed: Sequence[Path], shape: Candidate, reading: Reading
 ) -> Sequence[Candidate]:
-    """Find the regions that closed paths fill by the fill rule."""
     rule = shape.rule or "nonzero"
     whole = shape._replace(error=max(path.find_error(reading) for path in closed))
 

@@ -30,7 +30,6 @@ _HEIGHTS = 10**40  # the height of an arc is rounded to a multiple of 1 / _HEIGH
 
 
 def read_path(data: str, matrix: Affine, reading: Reading) -> list[Path]:
-    """Read path data; return a Path for each subpath."""
     drawn = Subpaths(matrix, reading)
     place = len(data) - len(data.lstrip(" \t\r\n\f,"))
     while place < len(data):

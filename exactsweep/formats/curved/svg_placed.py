@@ -48,7 +48,6 @@ class PlacedElement:
         return self._style.read(self.element) if self._style else {}
 
     def style(self, name: str) -> str | None:
-        """Return its own property or attribute, or None."""
         return self.styled.get(name, self.element.get(name))
 
     def inherited(self, name: str, initial: str) -> str:
@@ -82,7 +81,6 @@ class PlacedElement:
 
     @cached_property
     def matrix(self) -> Affine:
-        """The map from element coordinates to drawing coordinates."""
         outer = IDENTITY if self.parent is None else self.parent.matrix
         with prefix_errors(self.place, FormatError):
             product = compose(outer, read_transform(self.transform))
@@ -94,7 +92,6 @@ class PlacedElement:
 
     @cached_property
     def layer(self) -> str | None:
-        """The innermost Inkscape layer around the element."""
         attributes = self.element.attrib
         if attributes.get(f"{_INKSCAPE}groupmode") == "layer":
             return attributes.get(f"{_INKSCAPE}label", attributes.get("id"))
@@ -102,7 +99,6 @@ class PlacedElement:
 
     @cached_property
     def groups(self) -> tuple[str, ...]:
-        """The ids of the groups that contain the element, outermost first."""
         around = self.parent.groups if self.parent else ()
         own = self.element.get("id") if name_kind(self.element) == "g" else None
         return (*around, own) if own else around
@@ -136,7 +132,6 @@ class PlacedElement:
 
     @cached_property
     def viewport(self) -> tuple[Fraction | None, Fraction | None]:
-        """The width and the height of the viewport, each None if unknown."""
         if name_kind(self.element) not in _VIEWS:
             return self.parent.viewport if self.parent else (None, None)
         if "viewBox" in self.element.attrib:
@@ -150,7 +145,6 @@ class PlacedElement:
             return None
 
     def size(self, name: str, default: str | None = None) -> Fraction:
-        """Return a nonnegative length attribute."""
         found = self.length(name, default)
         if found < 0:
             raise FormatError(f"{name} is negative")

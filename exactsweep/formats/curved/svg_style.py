@@ -43,7 +43,6 @@ class Style:
                 self.ignored.append(selector)
 
     def read(self, element: Element) -> dict[str, str]:
-        """Return the properties of an element by the CSS cascade."""
         attributes = element.attrib
         classes = (f".{one}" for one in attributes.get("class", "").split())
         if not self._rules and "style" not in attributes:
@@ -75,5 +74,4 @@ def name_kind(element: Element) -> str:
 
 
 def find_link(element: Element) -> str:
-    """Return the reference of an element, such as "#part", or ""."""
     return element.get("href", element.get("{http://www.w3.org/1999/xlink}href", ""))

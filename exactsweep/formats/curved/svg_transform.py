@@ -15,11 +15,7 @@ _MAX_BITS = 50_000  # bounds the growth of products of many transforms
 
 
 def read_transform(text: str) -> Affine:
-    """Read a `transform` attribute; its last function applies first.
-
-    >>> read_transform("translate(10) rotate(90)").point(*map(Fraction, (1, 0)))
-    Point(x=Fraction(10, 1), y=Fraction(1, 1))
-    """
+    """Read a `transform` attribute; its last function applies first."""
     product, place = IDENTITY, 0
     while place < len(text):
         match = _FUNCTION.match(text, place)

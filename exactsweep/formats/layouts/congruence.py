@@ -24,14 +24,7 @@ class Congruence(NamedTuple):
 
 
 def find_congruence(part: Region, drawn: Region) -> Congruence | None:
-    """Find a map from a part to a region, preferably an exact one.
-
-    Cost: O(n^2) for exteriors with n vertices; O(n) for most pairs that are not congruent.
-
-    >>> part = Region([(0, 0), (2, 0), (2, 1)])
-    >>> find_congruence(part, Region([(5, 0), (5, 2), (4, 2)])).turn
-    (Fraction(0, 1), Fraction(1, 1))
-    """
+    """Find a map from a part to a region, preferably an exact one, in O(n^2) time, mostly O(n)."""
     if len(part.exterior) != len(drawn.exterior) or len(part.holes) != len(drawn.holes):
         return None
     nearly = None
@@ -44,12 +37,7 @@ def find_congruence(part: Region, drawn: Region) -> Congruence | None:
 
 
 def find_rounded_congruence(part: RoundedOutline, drawn: RoundedOutline) -> Congruence | None:
-    """Find a map between rounded outlines, exact if both are.
-
-    >>> discs = [RoundedOutline((Point(Fraction(k), Fraction(0)),), Fraction(1)) for k in (0, 2)]
-    >>> find_rounded_congruence(*discs).move
-    Point(x=Fraction(2, 1), y=Fraction(0, 1))
-    """
+    """Find a map between rounded outlines, exact if both are."""
     if part.radius != drawn.radius or len(part.points) != len(drawn.points):
         return None
     exact = not (part.error or drawn.error)

@@ -30,10 +30,7 @@ _LINE = re.compile(r"line \d+")
 def draw_layouts(
     text: str, container: str | Literal[False] | None, reading: Reading
 ) -> list[FoundLayout]:
-    """Make a layout for each container of a drawing; see `find_sheets`.
-
-    Raises FormatError if an outline cannot be read, since skipping it might falsify the verdict.
-    """
+    """Make a layout for each container; reject unreadable outlines, which could be invalid."""
     flat = reading.without_nesting()
     flat.separate = reading.nested is not False
     drawn = parse_by(text, flat)
@@ -157,7 +154,6 @@ def _make_layout(sheet: Sheet, found: Nested) -> FoundLayout:
 def _flatten(
     drawn_as: Mapping[str | None, Candidate], names: Collection[str | None], tolerance: Fraction
 ) -> Mapping[str | None, Data]:
-    """Flatten shapes at another tolerance; skip invalid ones."""
     found: dict[str | None, Data] = {}
     for name in names:
         finer = drawn_as[name].finer if name in drawn_as else None

@@ -11,7 +11,6 @@ from exactsweep.formats.reading import Reading
 
 
 def read_instance(document: JsonNode, reading: Reading) -> NestingInstance | None:
-    """Read a nesting instance; return None for an unknown format."""
     if document.has("item_types"):
         return packingsolver.read_instance(document, reading)
     if document.get("type", "").value == "cgshop2024_instance":
@@ -20,7 +19,6 @@ def read_instance(document: JsonNode, reading: Reading) -> NestingInstance | Non
 
 
 def read_parts(document: object, reading: Reading) -> list[Candidate] | None:
-    """Find the parts of an instance; return None for other documents."""
     found = read_instance(JsonNode(document), reading)
     if found is None:
         return None

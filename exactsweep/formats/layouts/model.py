@@ -47,8 +47,6 @@ class FoundLayout(NamedTuple):
 
 
 class NestingInstance(NamedTuple):
-    """The problem that a layout solves."""
-
     kind: str  # "jagua", "packingsolver" or "cgshop"
     parts: dict[str, Data]  # Layout JSON by id, with the maximum number of placements as demand
     least: dict[str, int]  # minimum number of placements by id
@@ -176,7 +174,6 @@ def write_rounded(outline: RoundedOutline) -> Data:
 
 
 def read_rounded(part: Data) -> RoundedOutline | None:
-    """Convert the result of `write_rounded` back; return None for rings."""
     if "pieces" not in part:
         return None
     (piece,) = part["pieces"]

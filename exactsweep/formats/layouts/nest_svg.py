@@ -37,10 +37,7 @@ _SHEET = "#00ff00"
 def read_nest(
     root: Element, reading: Reading, containers: Mapping[str, Data]
 ) -> tuple[NestingInstance, list[FilledSheet]] | None:
-    """Read the SVG of a nesting program: its parts, without demands, and its sheets.
-
-    Returns None for an unknown format. The containers of an instance, by id, override those drawn.
-    """
+    """Read parts and sheets; None for another format. `containers` override those drawn."""
     drawing = _NestDrawing(root, reading)
     sheets = list(_jagua(drawing, containers)) or list(_nested(root, drawing))
     if not sheets:
@@ -49,8 +46,6 @@ def read_nest(
 
 
 class _NestDrawing:
-    """The visible elements of a document, and its parts."""
-
     def __init__(self, root: Element, reading: Reading) -> None:
         self.reading = reading
         self.style = Style(root)
@@ -88,7 +83,6 @@ class _NestDrawing:
         return {"turn": turn, "move": [x, y]}
 
     def require_all(self, within: Element, read: Iterable[Element]) -> None:
-        """Reject shapes inside an element that have not been read yet."""
         known = {*read}
         for element in within.iter():
             placed, kind = self.placed[element], name_kind(element)

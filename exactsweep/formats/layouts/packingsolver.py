@@ -100,7 +100,6 @@ def read_solution(
 
 
 def _read_drawn(document: JsonNode) -> list[model.FoundLayout]:
-    """Read the bins of a solution as drawn; each item is a separate part."""
     parts: dict[str, Data] = {}
     sheets = []
     for bin in (document / "bins").each():
@@ -121,7 +120,6 @@ def _read_drawn(document: JsonNode) -> list[model.FoundLayout]:
 
 
 def _allowed(item: JsonNode, unchecked: list[str]) -> Data:
-    """Convert allowed angles, also of mirrored items, to Layout JSON."""
     plain: list[Fraction] = []
     mirrored: list[Fraction] = []
     ranges: list[Fraction] = []

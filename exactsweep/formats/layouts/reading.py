@@ -31,8 +31,6 @@ _ALLOWED = ("turns", "mirrored_turns")
 
 
 class LayoutOptions(Options, total=False):
-    """The options of `read_layouts`."""
-
     part: str | None
     radians: bool
     instance: str | None
@@ -128,7 +126,6 @@ def _read_table(
     *,
     radians: bool,
 ) -> list[model.FoundLayout]:
-    """Read a table of placements, with the parts and the only container of an instance."""
     if parts is None:
         parts = {} if known is None else known.parts
     found = read_table(text, parts, radians=radians)
@@ -140,7 +137,6 @@ def _read_table(
 
 
 def _from_radians(found: model.FoundLayout) -> model.FoundLayout:
-    """Convert the rotations of placements, and those allowed for parts, to degrees."""
     parts = [
         {
             name: [*map(_convert_turn, value)]
@@ -254,7 +250,6 @@ def _parse(
 def _read_json(
     document: JsonNode, known: model.NestingInstance | None, reading: Reading
 ) -> list[model.FoundLayout]:
-    """Read the layouts of a JSON document; return an empty list for an unknown format."""
     if all(map(document.has, ("parts", "placements"))):
         if known is not None:
             raise FormatError("Layout JSON has its own parts and rules; omit --instance")
@@ -294,7 +289,6 @@ def _compare_parts(drawn: model.NestingInstance, known: model.NestingInstance) -
 
 
 def _make_shape(part: Data) -> object:
-    """Return the region of a part, or its rings if they do not bound one."""
     if "pieces" in part:
         return part["pieces"]
     rings = part["exterior"], part.get("holes", [])

@@ -54,11 +54,7 @@ class _Row(NamedTuple):
 
 
 def is_table(text: str) -> bool:
-    """Return whether text is a table of placements, judging by its column names.
-
-    >>> is_table("id,x,y,deg"), is_table("name,x,y"), is_table('[{"x": 1, "y": 2, "angle": 3}]')
-    (True, False, True)
-    """
+    """Return whether the column names are those of a table of placements."""
     if text.lstrip()[:1] in "{<":
         return False
     try:
@@ -69,7 +65,6 @@ def is_table(text: str) -> bool:
 
 
 def read_parts(path: str, reading: Reading) -> dict[str, Data]:
-    """Read the parts for a table from Layout JSON, a file or a folder."""
     text = "" if os.path.isdir(path) or has_magic(path) else read_text(split_choice(path)[0])
     if text.lstrip()[:1] == "{":
         with prefix_path(path):
@@ -101,14 +96,10 @@ def _list_parts(data: object) -> Iterator[tuple[JsonNode, Data]]:
 
 
 def read_table(text: str, parts: Mapping[str, Data], *, radians: bool = False) -> list[FoundLayout]:
-    r"""Read a table of placements, one layout for each group, without containers.
+    """Read a table of placements, one layout for each group, without containers.
 
     `parts` maps ids to Layout JSON; empty for a table of discs. The conversion of radians has an
     error of at most 10^-100 degrees, covered by the slack of the judge.
-
-    >>> (found,) = read_table("id,x,y,r\na,0,0,1\nb,2,0,1\n", {})
-    >>> found.data["parts"]
-    [{'id': 'disc 1', 'pieces': [{'points': [['0', '0']], 'radius': '1'}]}]
     """
     rows = [*_list_rows(text)]
     if not rows:
@@ -149,7 +140,6 @@ def _make_layout(
 
 
 def _find_part(row: _Row, parts: Mapping[str, Data]) -> Data:
-    """Return the part of a row: by name, the only one, or a disc."""
     if not parts:
         radius = format_fraction(row.read("radius"))
         pieces = [{"points": [["0", "0"]], "radius": radius}]
@@ -216,7 +206,6 @@ def _read_csv(text: str) -> csv._reader:  # type: ignore[name-defined]
 
 
 def _read_head(text: str) -> list[str]:
-    """Return the column names; an empty list if the text is not a table."""
     if text.lstrip()[:1] not in "[{":
         return [cell.strip() for cell in next(_read_csv(text[:2000]), [])]
     entries = _list_objects(text)
