@@ -10,7 +10,6 @@ from sys import maxsize
 from threading import RLock
 
 from exactsweep.formats.candidate import Candidate, allow_faults
-from exactsweep.formats.columns import reject_placements
 from exactsweep.formats.decimals import read_decimal
 from exactsweep.formats.error import FormatError
 from exactsweep.formats.size import VERTEX, require_count
@@ -23,10 +22,57 @@ _WKT = ("wkt", "geometry", "geom", "the_geom", "wkt_geom")
 _SIZES = (("width", "height"), ("w", "h"), ("lx", "ly"))
 _COLUMNS = {"x", "y", "ring", *_NAMES, *_WKT, *(one for pair in _SIZES for one in pair)}
 _NUMBERS = re.compile(r"\s*\"?[-+.0-9][-+.,0-9eE]*\"?\s*[,;\t]\s*\"?[-+.0-9]")
+# Column names of placement tables, by meaning.
+PLACEMENT_COLUMNS = {
+    "x": ("x", "tx", "dx", "pos_x", "x_pos", "center_x", "x_center", "cx"),
+    "y": ("y", "ty", "dy", "pos_y", "y_pos", "center_y", "y_center", "cy"),
+    "angle": (
+        *("angle", "deg", "degrees", "rotation", "rot", "theta", "turn", "orientation"),
+        *("angle_deg", "angle_degrees", "rotation_deg", "rot_deg", "theta_deg"),
+    ),
+    "radians": ("rad", "radians", "angle_rad", "angle_radians", "rotation_rad", "theta_rad"),
+    "radius": ("r", "radius"),
+    "mirrored": ("mirrored", "mirror", "flipped", "flip"),
+    "part": ("part", "part_id", "name", "item", "item_id", "shape", "piece"),
+    "group": ("group", "layout", "sheet", "bin", "case", "puzzle", "board", "n"),
+    "id": ("id",),
+}
+_MEANINGS = {name: meaning for meaning, names in PLACEMENT_COLUMNS.items() for name in names}
+# With one of these, x and y are positions.
+_PLACING = {"angle", "radians", "radius", "mirrored"}
+_RADII = {"diameter", "d", "rx", "ry"}
+_NOT_WORD = re.compile(r"[^a-z0-9]+")
 
 _limit_held = RLock()
 
 _RowsByRing = dict[str, list[tuple[int, str, str]]]
+
+
+def name_columns(head: Iterable[str]) -> dict[str, str]:
+    """Map each meaning to its column; raise FormatError for two columns with one meaning."""
+    found: dict[str, str] = {}
+    for name in head:
+        meaning = _MEANINGS.get(_simplify(name))
+        if meaning is not None and meaning in found:
+            raise FormatError(f"two columns for {meaning}: {quote(found[meaning])}, {quote(name)}")
+        if meaning is not None:
+            found[meaning] = name
+    return found
+
+
+def reject_placements(head: Sequence[str], place: str) -> None:
+    meanings = [_MEANINGS.get(name, name) for name in map(_simplify, head)]
+    placing = [k for k, meaning in enumerate(meanings) if meaning in _PLACING | _RADII]
+    if placing and {"x", "y"} <= {*meanings}:
+        part = "" if "radius" in meanings else " --part OUTLINE"
+        raise FormatError(
+            f"{place}: a table of placements, because of the column "
+            f"{quote(head[placing[0]].strip())}; 'exactsweep layout FILE{part}' judges it"
+        )
+
+
+def _simplify(name: str) -> str:
+    return _NOT_WORD.sub("_", name.lower()).strip("_")
 
 
 def is_csv(text: str) -> bool:
@@ -47,7 +93,7 @@ def _head(text: str) -> set[str]:
 
 
 def parse_csv(text: str) -> list[Candidate]:
-    r"""Find the polygons of a table.
+    """Find the polygons of a table.
 
     Each row has one vertex, in columns x and y, or without a header in the first two columns. A
     column "name", "id" or "part" names the polygon, "polygon" distinguishes polygons with the same
@@ -55,10 +101,6 @@ def parse_csv(text: str) -> list[Candidate]:
     a column "wkt" or "geometry", or one rectangle with "width" and "height", "w" and "h", or "lx"
     and "ly". Commas, semicolons or tabs separate columns; with semicolons or tabs, the decimal
     point may be a comma.
-
-    Example:
-        >>> [(c.name, len(c.vertices())) for c in parse_csv("name,x,y\na,0,0\na,1,0\na,0,1\n")]
-        [('a', 3)]
     """
     # Numbers may exceed Python's global limit of 131,072 characters.
     with _limit_held:

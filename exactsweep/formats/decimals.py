@@ -57,11 +57,7 @@ def count_decimals(text: str) -> int:
 
 
 def format_decimal(value: Fraction) -> str:
-    """Format a number as an exact decimal; raises FormatError for numbers such as 1/3.
-
-    >>> format_decimal(Fraction(-7, 2)), format_decimal(Fraction(1, 1024))
-    ('-3.5', '0.0009765625')
-    """
+    """Format a number as an exact decimal; raises FormatError for numbers such as 1/3."""
     if value.denominator == 1:
         return format_fraction(value)
     twos = (value.denominator & -value.denominator).bit_length() - 1

@@ -25,11 +25,7 @@ def parse_certificate(text: str) -> object:
 
 
 def read_vertices(value: object, path: str) -> list[Point]:
-    """Read a list of pairs, or of objects with "x" and "y"; errors start with the path.
-
-    >>> read_vertices(parse_json("[[0.5, 2]]"), "$")
-    [Point(x=Fraction(1, 2), y=Fraction(2, 1))]
-    """
+    """Read a list of pairs, or of objects with "x" and "y"; errors start with the path."""
     if not isinstance(value, list):
         raise FormatError(f"{path} is {describe_kind(value)}, not a list of vertices")
     return [read_point(pair, f"{path}[{i}]") for i, pair in enumerate(value)]
@@ -135,11 +131,7 @@ def quote_fraction(value: Fraction) -> str:
 
 
 def write_json(value: object, number: Callable[[Fraction], str] = quote_fraction) -> str:
-    """Format plain data, Fractions and Polygons as JSON on one line.
-
-    >>> write_json({"a": [Fraction(1, 3), 2]})
-    '{"a": ["1/3", 2]}'
-    """
+    """Format plain data, Fractions and Polygons as JSON on one line."""
     if isinstance(value, Fraction):
         return number(value)
     if isinstance(value, dict):

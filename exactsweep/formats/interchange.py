@@ -31,17 +31,10 @@ class HasGeoInterface(Protocol):
 
 @explain_type_errors
 def from_shapely(geometry: shapely.Polygon) -> AnyPolygon:
-    """Convert a shapely polygon; floats keep their exact binary values.
+    """Convert a shapely Polygon or LinearRing to a Polygon, or to a Region if it has holes.
 
-    Args:
-        geometry: a shapely Polygon or LinearRing. Z coordinates are dropped, with a warning.
-
-    Returns:
-        A Polygon, or a Region if it has holes.
-
-    Raises:
-        FormatError: another geometry.
-        PolygonError, NumberError: as for `Region`.
+    Floats keep their exact binary values; Z coordinates are dropped, with a warning. Raises
+    FormatError for other geometries, and otherwise the errors of `Region`.
 
     Example:
         >>> import shapely
@@ -67,9 +60,7 @@ def parts_from_shapely(geometries: Iterable[shapely.Geometry]) -> PartList[Named
 
     Returns:
         A PartList of NamedRegion, in order; `left_out` lists elements that are not polygons.
-
-    Raises:
-        FormatError: there is no valid polygon.
+        Raises FormatError if there is no valid polygon.
 
     Example:
         >>> import shapely
@@ -100,10 +91,7 @@ def _list_parts(geometries: Any, name: str | None = None) -> Iterator[tuple[str 
 
 @explain_type_errors
 def from_wkt(text: str) -> AnyPolygon:
-    """Read a WKT POLYGON exactly, or a MULTIPOLYGON with one element.
-
-    Returns:
-        A Polygon, or a Region if it has holes.
+    """Read a WKT POLYGON, or a MULTIPOLYGON with one element, as a Polygon or Region.
 
     Raises:
         FormatError: not WKT, or several polygons (use `parse_regions`).
@@ -165,12 +153,8 @@ def _to_floats(node: Any, nearest: bool) -> Any:
 def from_numpy(array: numpy.ndarray) -> Polygon:
     """Convert an array of shape (n, 2) to a polygon.
 
-    Args:
-        array: ints, floats (with their exact binary values), or objects that `to_fraction` accepts.
-
-    Raises:
-        FormatError: another shape.
-        PolygonError, NumberError: as for `Polygon`.
+    The array has ints, floats (with their exact binary values), or objects that `to_fraction`
+    accepts. Raises FormatError for other shapes, and otherwise the errors of `Polygon`.
 
     Example:
         >>> import numpy

@@ -22,7 +22,6 @@ class JsonNode(NamedTuple):
     path: str = "$"
 
     def has(self, name: str) -> bool:
-        """Return whether this is an object with a non-null member of that name."""
         return isinstance(self.value, Mapping) and self.value.get(name) is not None
 
     def __truediv__(self, name: str) -> JsonNode:

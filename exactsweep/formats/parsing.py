@@ -6,7 +6,7 @@ from contextlib import suppress
 from itertools import chain
 from typing import Unpack
 
-from exactsweep.formats import columns, csv, plain, size
+from exactsweep.formats import csv, plain, size
 from exactsweep.formats.candidate import Candidate, allow_faults
 from exactsweep.formats.choice import keep_layers
 from exactsweep.formats.depth import nest_candidates
@@ -84,9 +84,7 @@ def _parse(text: str, reading: Reading) -> Sequence[Candidate]:
         return plain.parse_numbers(text)
     if _WKT.match(text):
         return parse_wkt(text, reading.notes)
-    columns.reject_placements(
-        re.split(r"[,;\t]", text.lstrip()[:1000].partition("\n")[0]), "line 1"
-    )
+    csv.reject_placements(re.split(r"[,;\t]", text.lstrip()[:1000].partition("\n")[0]), "line 1")
     raise FormatError(
         f"unknown format, starts with {quote(text.split(maxsplit=1)[0])}; expected JSON, GeoJSON, "
         "WKT, SVG, DXF, or CSV with columns x and y"
@@ -136,7 +134,7 @@ def _read_json(text: str, reading: Reading) -> Sequence[Candidate]:
         (rows,) = document.values()
     if isinstance(rows, list) and rows and isinstance(rows[0], dict):
         is_flat = not any(isinstance(value, list | dict) for value in rows[0].values())
-        columns.reject_placements([*rows[0]] if is_flat else [], "the first entry")
+        csv.reject_placements([*rows[0]] if is_flat else [], "the first entry")
     return find_candidates(document, notes=notes)
 
 

@@ -39,9 +39,6 @@ def parse_polygon(
         PolygonError: not a simple polygon; the message gives the indices of vertices.
 
     Example:
-        >>> wkt = "POLYGON ((0 0, 0.5 0, 0 1, 0 0))"
-        >>> parse_polygon("[[0, 0], [0.5, 0], [0, 1e0]]") == parse_polygon(wkt)
-        True
         >>> text = '<svg><rect id="a" width="2" height="1"/><path d="M0 0h1v1z"/></svg>'
         >>> print(parse_polygon(text, "a"), "and", parse_polygon(text, "1"))
         (0, 0) (2, 0) (2, 1) (0, 1) and (0, 0) (1, 0) (1, 1)
@@ -119,15 +116,9 @@ def parse_regions(
 def read_polygon(
     path: str | os.PathLike[str], tolerance: object = None, **options: Unpack[Options]
 ) -> Polygon:
-    """Read one polygon from a file, or from standard input.
+    """Read one polygon from a file, or from standard input for "-"; errors name the file.
 
-    Args:
-        path: a path, or "-" for standard input, optionally with "#" and a choice.
-        tolerance: as for `parse_polygon`.
-        options: as for `parse_polygon`.
-
-    Raises:
-        FormatError: any error; the message names the file.
+    The path may end with "#" and a choice; other arguments as for `parse_polygon`.
     """
     return _read_file(
         path, lambda f, c: _read_one(choose(f, c), Candidate.polygon, tolerance), tolerance, options

@@ -1,12 +1,10 @@
 """Settings and state of a reader."""
 
-from __future__ import annotations
-
 from collections import Counter
 from collections.abc import Sequence
 from copy import copy
 from fractions import Fraction
-from typing import TypedDict, cast
+from typing import Self, TypedDict, cast
 
 from exactsweep.formats.decimals import show_number
 from exactsweep.formats.error import FormatError
@@ -100,7 +98,7 @@ class Reading:
         # Whether unfilled paths are separate outlines, to be nested with all others.
         self.separate = bool(nested)
 
-    def without_nesting(self) -> Reading:
+    def without_nesting(self) -> Self:
         found = copy(self)
         found.nested = False
         found.skipped, found.notes = Counter(), {}
@@ -112,13 +110,12 @@ class Reading:
         given = {name: getattr(self, name) for name in Options.__annotations__}
         return cast(Options, given | {"clean": self.clean or None})
 
-    def with_tolerance(self, tolerance: Fraction) -> Reading:
+    def with_tolerance(self, tolerance: Fraction) -> Self:
         found = self.without_nesting()
         found.tolerance, found.nested = tolerance, self.nested
         return found
 
     def allow_lines(self, count: int) -> None:
-        """Count the chords of a curve; raises FormatError beyond the limits."""
         if count > MAX_LINES:
             shown = f"{count:,}" if count <= 10**12 else "more than 10**12"
             raise FormatError(
@@ -162,7 +159,6 @@ class Reading:
         return [f"hidden: {many} {what} (--hidden)" for what, many in self.skipped.items()]
 
     def require_planar(self, heights: Sequence[Fraction]) -> None:
-        """Reject heights that differ by more than the join distance."""
         if all(height is heights[0] for height in heights):
             return
         if max(heights) - min(heights) > (self.join or 0):

@@ -6,12 +6,10 @@ centers, in order, are the corners of a convex polygon, the ends of a segment, o
 each line between two arcs is the segment between their centers, offset outward by r.
 """
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from fractions import Fraction
 from math import tau
-from typing import NamedTuple
+from typing import NamedTuple, Self
 
 from exactsweep.formats.curved.curves import Arc
 from exactsweep.formats.curved.path import Path
@@ -28,7 +26,7 @@ class RoundedOutline(NamedTuple):
     radius: Fraction
     error: Fraction = Fraction(0)  # bounds the distance from the true outline; 0 if rational
 
-    def flipped(self) -> RoundedOutline:
+    def flipped(self) -> Self:
         return self._replace(points=tuple(Point(x, -y) for x, y in self.points[::-1]))
 
 

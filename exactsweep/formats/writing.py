@@ -166,7 +166,6 @@ def _svg(regions: Sequence[NamedRegion], fits: Sequence[Fit], unit: Fraction | N
 
 
 def _length(number: Fraction, unit: Fraction) -> str:
-    """Format an SVG length, in the given unit if SVG supports it, else in mm."""
     for name in ("mm", "cm", "in", "pt", "pc", "px"):
         if UNITS[name] == unit:
             return f"{format_decimal(number)}{name}"

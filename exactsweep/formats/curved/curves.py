@@ -186,11 +186,7 @@ def find_angle(x: Fraction, y: Fraction) -> float:
 
 
 def round_root_up(square: Fraction, scale: int = 1) -> Fraction:
-    """Return the square root, rounded up by less than 1/scale plus a relative 2**-30.
-
-    >>> round_root_up(Fraction(4)), round_root_up(Fraction(0))
-    (Fraction(2, 1), Fraction(0, 1))
-    """
+    """Return the square root, rounded up by less than 1/scale plus a relative 2**-30."""
     n, d = square.as_integer_ratio()
     # sqrt(n / d) = sqrt(n d) / d; scale short arguments for more digits.
     widen = scale * (1 << max(0, 60 - (n * d).bit_length()) // 2)

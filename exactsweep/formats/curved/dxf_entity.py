@@ -214,7 +214,6 @@ def _layers(found: Iterable[Entity]) -> tuple[dict[str, str], set[str]]:
 
 
 def _attach_vertices(found: Iterable[Entity]) -> list[Entity]:
-    """List entities; move VERTEX entities into their POLYLINE."""
     entities: list[Entity] = []
     vertices: list[Entity] | None = None
     for entity in found:

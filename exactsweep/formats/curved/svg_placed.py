@@ -152,7 +152,6 @@ class PlacedElement:
 
     @cached_property
     def unit(self) -> Fraction:
-        """The scale factor of the document, from its root element."""
         attributes = self.element.attrib
         unit = None
         text = attributes.get("width", "").strip()

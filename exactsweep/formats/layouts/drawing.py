@@ -127,7 +127,13 @@ def _make_layout(sheet: Sheet, found: Nested) -> FoundLayout:
         notes.append(f"{count(number, 'outline')} {where} {read}")
     if sheet.copies:
         notes.append(f"skipped: {count(len(sheet.copies), 'duplicate')} of the container")
-    names = make_unique([_name_part(one, k) for k, one in enumerate(parts)])
+    names = make_unique(
+        # "0" is the default layer of DXF.
+        [
+            one.name or (one.layer if one.layer != "0" else None) or str(k)
+            for k, one in enumerate(parts)
+        ]
+    )
     data: Data = {
         "parts": [{"id": name, **write_rings(one)} for name, one in zip(names, parts, strict=True)],
         "placements": [IDENTITY_PLACEMENT | {"part": name} for name in names],
@@ -161,11 +167,6 @@ def _flatten(
         if one is not None:
             found[name] = write_rings(one)
     return found
-
-
-def _name_part(outline: Candidate, k: int) -> str:
-    layer = outline.layer if outline.layer != "0" else None
-    return outline.name or layer or str(k)
 
 
 def _report_holes(found: Nested) -> list[str]:

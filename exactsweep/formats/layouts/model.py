@@ -19,31 +19,20 @@ from exactsweep.numbers.number import Point
 _INDEX = re.compile(r"\[\d+\]")
 
 IDENTITY_PLACEMENT: Data = {"turn": "0", "move": ["0", "0"]}  # the identity placement
-# The type of `FoundLayout.flatten`.
+# Flattens some parts, by id, and the container, by None, at another tolerance, if possible.
 Flatten = Callable[[Collection[str | None], Fraction], Mapping[str | None, Data]]
 
 
 class FoundLayout(NamedTuple):
-    """A layout read from a file.
+    """A layout read from a file."""
 
-    Attributes:
-        name: its name among several; "" for the only one.
-        data: Layout JSON, for `exactsweep.layout.Layout.from_json`.
-        notes: remarks of the reader.
-        unchecked: rules and shapes that are not judged.
-        places: the location of each placement in the file, such as "line 7"; empty if unknown.
-        unit: the unit of length, such as "mm"; "" if unknown.
-        flatten: flattens some parts, by id, and the container, by None, at another tolerance,
-            skipping those it cannot flatten; None if there are no curves.
-    """
-
-    name: str
-    data: Data
+    name: str  # among several; "" for the only one
+    data: Data  # Layout JSON, for `exactsweep.layout.Layout.from_json`
     notes: tuple[str, ...] = ()
-    unchecked: tuple[str, ...] = ()
-    places: tuple[str, ...] = ()
-    unit: str = ""
-    flatten: Flatten | None = None
+    unchecked: tuple[str, ...] = ()  # rules and shapes that are not judged
+    places: tuple[str, ...] = ()  # the location of each placement, such as "line 7"
+    unit: str = ""  # of length, such as "mm"
+    flatten: Flatten | None = None  # None without curves
 
 
 class NestingInstance(NamedTuple):
@@ -111,7 +100,6 @@ def make_layouts(
 
 
 def compare_stock(used: Counter[str], instance: NestingInstance) -> list[str]:
-    """Report the containers used more often than in stock."""
     return [
         f"container {name}: {number} used, {instance.stock[name]} in stock"
         for name, number in used.items()

@@ -156,7 +156,6 @@ def _from_radians(found: model.FoundLayout) -> model.FoundLayout:
 
 
 def _convert_turn(turn: Any) -> Any:
-    """Convert radians to degrees; keep a pair of cosine and sine."""
     if not isinstance(turn, str):
         return turn
     return format_fraction(to_degrees(to_fraction(turn)))

@@ -1,11 +1,9 @@
 """Reader of tables of placements: one row per placed part, in CSV, TSV or JSON objects.
 
-Columns may be in any order; `exactsweep.formats.columns` lists their names. Letters before numbers
+Columns may be in any order; `exactsweep.formats.csv` lists their names. Letters before numbers
 are ignored, as in "s0.125", which some contests require. With a group column, or ids such as 002_0
 and 002_1, each group is a layout. With a radius column, the parts are discs.
 """
-
-from __future__ import annotations
 
 import csv
 import os
@@ -17,7 +15,7 @@ from io import StringIO
 from typing import NamedTuple
 
 from exactsweep.formats.choice import is_group
-from exactsweep.formats.columns import name_columns
+from exactsweep.formats.csv import name_columns
 from exactsweep.formats.curved.arc import to_degrees
 from exactsweep.formats.decimals import read_decimal
 from exactsweep.formats.error import FormatError
@@ -199,7 +197,7 @@ def _list_rows(text: str) -> Iterator[_Row]:
         raise FormatError(f"line {reader.line_num}: {error}") from None
 
 
-def _read_csv(text: str) -> csv._reader:  # type: ignore[name-defined]
+def _read_csv(text: str) -> "csv._reader":  # type: ignore[name-defined]
     first = re.sub(r'"[^"]*+"', "", text.lstrip().partition("\n")[0])
     separator = next((mark for mark in ";\t" if mark in first), ",")
     return csv.reader(StringIO(text.lstrip(), newline=""), delimiter=separator)
@@ -213,7 +211,6 @@ def _read_head(text: str) -> list[str]:
 
 
 def _list_objects(text: str) -> list[object]:
-    """Return the entries of a JSON list, or of the only list in an object."""
     data = parse_json(text)
     lists = [data] if isinstance(data, list) else []
     if isinstance(data, dict):
