@@ -222,7 +222,7 @@ def test_the_command_reads_files(tmp_path: Path) -> None:
         (["batch", "p"], "Missing option '-o'"),
         (["batch", "p", "-o", "x", "--workers", "0"], "0 is not in the range"),
         (["batch", "p", "-o", "x", "--compute", "all"], "'all' is not one of"),
-        (["batch", "p", "-o", "x", "--flatten", "0"], "the tolerance, 0, is not positive"),
+        (["batch", "p", "-o", "x", "--flatten", "0"], "the tolerance must be positive, not 0"),
     ],
 )
 def test_wrong_usage_exits_with_2(arguments: list[str], message: str) -> None:

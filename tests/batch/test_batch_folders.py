@@ -69,11 +69,11 @@ def test_parts_are_named_by_id_layer_file_or_index(folder: Path) -> None:
     assert make_unique(["a-2", "a", "a"]) == ["a-2", "a", "a-3"]
 
 
-def test_folders_and_patterns_without_files_are_refused(folder: Path, tmp_path: Path) -> None:
+def test_folders_and_patterns_without_files_are_rejected(folder: Path, tmp_path: Path) -> None:
     empty = tmp_path / "empty"
     empty.mkdir()
     for path, reason in (
-        (empty, "contains no file with a suffix of"),
+        (empty, "no file has one of the suffixes"),
         (f"{folder}/*.dxf", "no file matches"),
     ):
         message = refusal(run("batch", "--all", str(path), str(folder), "-o", str(tmp_path / "x")))
