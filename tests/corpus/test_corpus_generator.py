@@ -91,8 +91,8 @@ def test_flags_are_known(family: str) -> None:
 @pytest.mark.parametrize(
     ("seed", "count", "message"),
     [
-        (-1, 1, r"^the seed is -1, which is not from 0 to 10\*\*18 - 1$"),
-        (10**18, 1, "^the seed is 1000000000000000000, which is not"),
+        (-1, 1, r"^the seed -1 is outside the range 0 to 10\*\*18 - 1$"),
+        (10**18, 1, "^the seed 1000000000000000000 is outside"),
         (1, -2, "^the count is negative: -2$"),
     ],
 )

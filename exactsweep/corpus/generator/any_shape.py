@@ -27,7 +27,7 @@ SCALES = [Fraction(1), Fraction(1), Fraction(1), Fraction(7, 3), Fraction(10**15
 
 
 def polyominoes_pair(random: Prng) -> Regions:
-    """Two clumps of squares, with caves, holes and corners that touch."""
+    """Two clumps of squares, with cavities, holes and touching corners."""
     return cells.trace_outline(_draw_clump(random, 8)), cells.trace_outline(_draw_clump(random, 24))
 
 
