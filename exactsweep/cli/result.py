@@ -192,7 +192,7 @@ def _make_form(
     given = {"json": json, "wkt": wkt, "certificate": certificate, "to": target}
     chosen = [name for name, value in (given | {"all": everything}).items() if value]
     if len(chosen) > 1:
-        raise click.UsageError(f"--{chosen[0]} and --{chosen[1]} exclude each other.")
+        raise click.UsageError(f"--{chosen[0]} and --{chosen[1]} cannot be combined.")
     kind = chosen[0] if chosen else "report"
     suffix = PurePath(output).suffix[1:].lower()
     if kind == "report" and suffix in FORMATS:

@@ -120,7 +120,7 @@ def sum_command(
       exactsweep sum part.json points.json --path --to svg -o covered.svg
     """
     if sum(map(bool, (json, wkt, target, certificate))) > 1:
-        raise click.UsageError("--json, --wkt, --certificate and --to exclude each other.")
+        raise click.UsageError("Give only one of --json, --wkt, --certificate and --to.")
     from exactsweep.text import pairs
 
     try:

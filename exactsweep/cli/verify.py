@@ -23,7 +23,7 @@ _NAMES = {"inner_fit": ("part", "container"), "sum": ("shape", "path")}
     "--max-steps",
     type=click.IntRange(min=1),
     metavar="N",
-    help="Limit of work, in steps of at most a microsecond; default: depends on the file.",
+    help="Maximum number of steps of up to a microsecond each; default: depends on the file.",
 )
 @click.option(
     "--coq",

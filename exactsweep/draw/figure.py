@@ -46,7 +46,7 @@ def make_figure(rows: int = 1, columns: int = 1, size: tuple[float, float] | Non
     from matplotlib.figure import Figure
 
     if not 1 <= rows * columns <= _MAX_AXES or rows < 1:
-        raise DrawError(f"cannot make {quote(rows)} by {quote(columns)} Axes; 1 to {_MAX_AXES} fit")
+        raise DrawError(f"{quote(rows)} by {quote(columns)} Axes: not from 1 to {_MAX_AXES} in all")
     with use_style():
         figure = Figure(layout="compressed", figsize=size)
         figure.subplots(rows, columns)

@@ -47,7 +47,7 @@ def boundary_is_contact(pair: SweepPair) -> Iterator[str]:
     found = no_fit_polygon(*pair[::-1])
     known, _ = find_contacts((tuple(pair.directrix),), (tuple(inverse(pair.generatrix)),))
     if len(known) > 2 * len(pair.generatrix) * len(pair.directrix):
-        yield f"{len(known)} contact segments"
+        yield f"{len(known)} contact segments, more than 2mn"
     segments = [make_segment((a, b)) for a, b in known]
     loops = (found.exterior, *found.holes)
     edges = [edge for loop in loops for edge in functions.list_edges(loop.vertices)]
@@ -85,16 +85,16 @@ def monotone_fits_are_segments(pair: SweepPair) -> Iterator[str]:
     """No exact fit is a single position."""
     for p, q in sweep(*pair).exact_fits:
         if p == q:
-            yield f"({p.x}, {p.y}) is a single position"
+            yield f"the exact fit ({p.x}, {p.y}) is a single position"
 
 
 def find_held_position(effort: Effort) -> Iterator[Observation]:
     """Show an isolated free position, at which every move leads to an overlap."""
     fits = no_fit_polygon(*HELD[::-1]).exact_fits
-    yield Evidence(f"A square in a cave of the same size: {functions.show_fits(fits)}.")
+    yield Evidence(f"A square in a cavity of the same size: {functions.show_fits(fits)}.")
     yield from fits_have_no_room(HELD)
     if [p == q for p, q in fits] != [True]:
-        yield f"a square in a cave of the same size: exact fits {functions.show_fits(fits)}"
+        yield f"a square in a cavity of the same size: exact fits {functions.show_fits(fits)}"
 
 
 def inner_fit_is_the_definition(pair: SweepPair) -> Iterator[str]:
@@ -113,7 +113,7 @@ def inner_fit_is_in_a_frame(pair: SweepPair) -> Iterator[str]:
     around = no_fit_polygon(frame, part)
     found = inner_fit_polygon(container, part)
     if around.holes != tuple(region.exterior for region in found.regions):
-        yield "the frame's no-fit polygon and the inner fit differ in their regions"
+        yield "the frame's no-fit polygon and the inner fit have different regions"
 
     def is_inside(t: Point) -> bool:
         boxes = frame.bounding_box, part.translated(t).bounding_box
@@ -121,7 +121,7 @@ def inner_fit_is_in_a_frame(pair: SweepPair) -> Iterator[str]:
         return left < a and low < b and c < right and d < high
 
     if tuple(fit for fit in around.exact_fits if is_inside(fit[0])) != found.exact_fits:
-        yield "the frame's no-fit polygon and the inner fit differ in their exact fits"
+        yield "the frame's no-fit polygon and the inner fit have different exact fits"
 
 
 def _enlarge(ring: Ring) -> Ring:
@@ -148,7 +148,7 @@ def find_room(effort: Effort) -> Iterator[Observation]:
     yield Evidence("Also a cavity in which G can move.")
     yield from loops_are_simple(ROOM)
     if len(holes := no_fit_polygon(*ROOM[::-1]).holes) != 1:
-        yield f"{len(holes)} holes"
+        yield f"{len(holes)} holes, not 1"
 
 
 def find_unswept(effort: Effort) -> Iterator[Observation]:

@@ -71,7 +71,7 @@ def swept_area_is_the_definition(pair: SweepPair) -> Iterator[str]:
 def is_annulus(pair: SweepPair) -> Iterator[str]:
     """The swept area has the outer and the inner loop as defined, and no other loop."""
     if loops := sweep(*pair).unswept:
-        yield f"{len(loops)} more loops"
+        yield f"the swept area has {len(loops)} more loops"
     yield from swept_area_is_the_definition(pair)
 
 
@@ -157,7 +157,7 @@ def vertices_belong_to_events(pair: SweepPair) -> Iterator[str]:
         for contact in at:
             if contact.event == "VV" and not any(ends(contact, other) for other in lasting):
                 _, i, j = contact
-                yield f"the VV contact of {i} and {j} at vertex {k} of T ends no other event"
+                yield f"the VV contact of {i} and {j} at vertex {k} of T ends no other contact"
 
 
 def find_passing_vertices(effort: Effort) -> Iterator[Observation]:

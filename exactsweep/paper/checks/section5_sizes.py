@@ -137,7 +137,7 @@ def fill_windows_of_windows(effort: Effort) -> Iterator[Observation]:
         counts = printed_count(*sizes), m_b * n_t * n_b, len(find_outer(pair)) - 1
         rows.append([str(sizes), *map(str, counts)])
     yield Table(
-        "Edges of the outer boundary: the most that hill climbing from random chains found",
+        "Edges of the outer boundary: maxima found by hill climbing from random chains",
         ("(m_b, n_t, n_b)", "count of Figure 10", "product", "found"),
         rows,
     )
@@ -168,7 +168,7 @@ def count_bumps(effort: Effort) -> Iterator[Observation]:
         ("(m_b, n_t, n_b)", "formula of the paper", "m_b n_t n_b / 4 + 4", "edges"),
         rows,
     )
-    yield Evidence(f"{len(rows)} pairs, by the definition.")
+    yield Evidence(f"{len(rows)} pairs, compared with the definition.")
 
 
 def count_pieces(segments: Sequence[Stroke]) -> int:
