@@ -2,6 +2,7 @@
 
 import os
 from collections.abc import Callable
+from contextlib import AbstractContextManager
 from typing import TypeVar, Unpack
 
 from exactsweep.formats.candidate import Candidate, NamedPolygon, NamedRegion
@@ -239,5 +240,5 @@ def split_choice(path: str | os.PathLike[str]) -> tuple[str, str | None]:
     return path[:k], path[k + 1 :]
 
 
-def prefix_path(file: str) -> prefix_errors:
+def prefix_path(file: str) -> AbstractContextManager[None]:
     return prefix_errors(show_path(file), FormatError)

@@ -105,7 +105,12 @@ def find_magnitude(value: Fraction) -> int:
     >>> find_magnitude(Fraction(1000)), find_magnitude(Fraction(1, 3))
     (3, -1)
     """
-    return _divide(value, 1).adjusted()
+    bits = value.numerator.bit_length() - value.denominator.bit_length()
+    # A lower bound; log10(2) is about 0.30103.
+    exponent = bits * 30103 // 100000 - 1
+    while Fraction(10) ** (exponent + 1) <= value:
+        exponent += 1
+    return exponent
 
 
 def abridge(value: Fraction) -> str:

@@ -9,8 +9,6 @@ from __future__ import annotations
 import builtins
 import inspect
 import re
-import typing
-from collections import abc
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from functools import wraps
@@ -55,22 +53,19 @@ def quote(value: object) -> str:
     return text if len(text) <= _ECHO else f"{text[: _ECHO - 3]}..."
 
 
-class prefix_errors:  # noqa: N801
+@contextmanager
+def prefix_errors(name: str, error_type: type[ExactSweepError] | None = None) -> Iterator[None]:
     """Put a name in front of the message of an error inside a `with` block.
 
-    With `error_type`, any ValueError becomes an error of that type; without it, an
-    ExactSweepError keeps its type, and other errors pass.
+    With an `error_type`, any ValueError becomes an error of that type; otherwise an ExactSweepError
+    keeps its type, and other errors pass.
     """
-
-    def __init__(self, name: str, error_type: type[ExactSweepError] | None = None) -> None:
-        self.name, self.error_type = name, error_type
-
-    def __enter__(self) -> None:
-        pass
-
-    def __exit__(self, kind: object, error: BaseException | None, trace: object) -> None:
-        if isinstance(error, ValueError if self.error_type else ExactSweepError):
-            raise (self.error_type or type(error))(f"{self.name}: {error}") from None
+    try:
+        yield
+    except ValueError as error:
+        if not (error_type or isinstance(error, ExactSweepError)):
+            raise
+        raise (error_type or type(error))(f"{name}: {error}") from None
 
 
 @contextmanager
@@ -150,34 +145,27 @@ class _UnseenType(type):
         return any(kind.__name__ == cls.__name__ for kind in type(value).__mro__)
 
 
-class _ModuleNames(dict[str, object]):
-    """The names in a module, including those imported only for type checkers."""
+class _Names(dict[str, object]):
+    """Names in annotations, including those imported only for type checkers."""
 
     def __missing__(self, name: str) -> object:
-        for module in (builtins, abc, typing):
-            if hasattr(module, name):
-                return getattr(module, name)
         return _UnseenType(name, (), {})
 
 
 def _resolve(annotation: object, function: Callable[..., object]) -> object:
     if not isinstance(annotation, str):
         return annotation
-    return eval(annotation, {}, _ModuleNames(inspect.unwrap(function).__globals__))
+    return eval(annotation, {}, _Names(vars(builtins) | inspect.unwrap(function).__globals__))
 
 
 def _fits(value: object, hint: object) -> bool:
-    if hint is None:
-        return value is None
-    if hint is Any or isinstance(hint, TypeVar):
-        return True
-    origin = get_origin(hint)
+    origin, of = get_origin(hint), get_args(hint)
+    if hint is None or origin in (Union, UnionType):
+        return any(_fits(value, one) for one in of) if of else value is None
     if origin is Literal:
-        return any(type(value) is type(one) and value == one for one in get_args(hint))
-    if origin in (Union, UnionType):
-        return any(_fits(value, one) for one in get_args(hint))
+        return any(type(value) is type(one) and value == one for one in of)
     kind = origin or hint
-    if not isinstance(kind, type):
+    if not isinstance(kind, type) or kind is Any:
         return True
     if kind in (int, float) and isinstance(value, bool):
         return False
@@ -185,28 +173,21 @@ def _fits(value: object, hint: object) -> bool:
         return isinstance(value, int | float) and value == value
     if getattr(kind, "_is_protocol", False) and kind.__module__ != "collections.abc":
         return all(hasattr(value, name) for name in vars(kind) if not name.startswith("_"))
-    if not isinstance(value, kind):
-        return False
-    of = get_args(hint)
-    return not of or all(_fits(one, its) for one, its in _look_into(value, kind, of))
+    return isinstance(value, kind) and (not of or _fit_items(value, kind, of))
 
 
-# No value has this type.
-_NOTHING = _UnseenType("nothing", (), {})
-
-
-def _look_into(value: object, kind: type, of: Sequence[object]) -> Iterable[tuple[object, object]]:
-    """Return the first items of an argument, if it can be iterated more than once."""
+def _fit_items(value: object, kind: type, of: Sequence[object]) -> bool:
+    """Match the first items of an argument, if it can be iterated more than once."""
     if isinstance(value, str | bytes | Mapping) and not issubclass(kind, Mapping):
         # Text and mappings do not count as lists.
-        return () if type(value) in of else [(value, _NOTHING)]
-    if isinstance(value, tuple) and kind is tuple and ... not in of:
-        return zip(value, of, strict=False) if len(value) == len(of) else [(value, _NOTHING)]
+        return type(value) in of
     if isinstance(value, Mapping):
-        return [(one, its) for item in value.items() for one, its in zip(item, of, strict=True)]
-    if isinstance(value, Iterable) and not isinstance(value, Iterator):
-        return [(one, of[0]) for one in islice(value, _LOOKED_AT)]
-    return ()
+        return all(_fits(one, of[0]) and _fits(other, of[1]) for one, other in value.items())
+    if isinstance(value, tuple) and kind is tuple and ... not in of:
+        return len(value) == len(of) and all(map(_fits, value, of))
+    if isinstance(value, Iterator) or not isinstance(value, Iterable):
+        return True
+    return all(_fits(one, of[0]) for one in islice(value, _LOOKED_AT))
 
 
 def _name_kind(hint: object, annotation: object) -> str:
