@@ -30,7 +30,7 @@ def write_vector(direction: Iterable[object]) -> str:
     """Format a direction like a Python tuple, with long numbers shortened.
 
     >>> write_vector((1, -2)), write_vector((1, 10**5000))
-    ('(1, -2)', '(1, 1e+5000~)')
+    ('(1, -2)', '(1, 1e+5000)')
     """
     return write_pair(direction).replace(",", ", ")
 

@@ -145,7 +145,7 @@ class _UnseenType(type):
         return any(kind.__name__ == cls.__name__ for kind in type(value).__mro__)
 
 
-class _Names(dict[str, object]):
+class _KnownNames(dict[str, object]):
     """Names in annotations, including those imported only for type checkers."""
 
     def __missing__(self, name: str) -> object:
@@ -155,7 +155,7 @@ class _Names(dict[str, object]):
 def _resolve(annotation: object, function: Callable[..., object]) -> object:
     if not isinstance(annotation, str):
         return annotation
-    return eval(annotation, {}, _Names(vars(builtins) | inspect.unwrap(function).__globals__))
+    return eval(annotation, {}, _KnownNames(vars(builtins) | inspect.unwrap(function).__globals__))
 
 
 def _fits(value: object, hint: object) -> bool:
