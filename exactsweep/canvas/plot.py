@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
-from exactsweep.canvas.error import DrawError
+from exactsweep.canvas.window import DrawError
 from exactsweep.numbers.error import require_imports
 from exactsweep.numbers.number import PointRings
 
@@ -23,8 +23,8 @@ def plot_rings(rings: PointRings, axes: Axes | None, style: dict[str, Any]) -> A
         axes = pyplot.figure().subplots()
     exterior, *holes = rings
     # Holes run clockwise, so that they are excluded.
-    turned = [exterior, *(hole[::-1] for hole in holes)]
-    paths = [Path([(float(x), float(y)) for x, y in (*r, r[0])], closed=True) for r in turned]
+    loops = [exterior, *(hole[::-1] for hole in holes)]
+    paths = [Path([(float(x), float(y)) for x, y in (*r, r[0])], closed=True) for r in loops]
     axes.add_patch(PathPatch(Path.make_compound_path(*paths), **{"alpha": 0.5, **style}))
     axes.set_aspect("equal")
     axes.autoscale_view()

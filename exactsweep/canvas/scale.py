@@ -29,6 +29,7 @@ class AxisScale(NamedTuple):
 
     @property
     def unit(self) -> Fraction:
+        """The length drawn as 1, a power of ten."""
         return Fraction(10) ** self.exponent
 
     def place(self, value: Rational) -> float:
@@ -96,10 +97,12 @@ class Scale(NamedTuple):
         return cls(x, y, is_true)
 
     def place(self, point: Vertex) -> tuple[float, float]:
+        """Return the position of a point as floats."""
         x, y = point
         return self.x.place(x), self.y.place(y)
 
     def places(self, points: Iterable[Vertex]) -> list[tuple[float, float]]:
+        """Return the positions of points."""
         return [self.place(point) for point in points]
 
 

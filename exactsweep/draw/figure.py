@@ -55,7 +55,11 @@ def make_figure(rows: int = 1, columns: int = 1, size: tuple[float, float] | Non
 
 @explain_type_errors
 def read_suffix(path: str) -> str:
-    """Return the suffix of a picture file in lower case; raises DrawError for other files."""
+    """Return the suffix of a picture file in lower case; raises DrawError for other files.
+
+    >>> read_suffix("fig/block.SVG")
+    '.svg'
+    """
     suffix = Path(path).suffix.lower()
     if suffix not in SUFFIXES:
         fault = f"the suffix {suffix!a} is not" if suffix else "the suffix is missing; use"

@@ -109,6 +109,7 @@ class Picture:
         *,
         closed: bool = False,
     ) -> None:
+        """Draw a chain, or a loop if `closed`."""
         chain = list(points)
         self.lines([[*chain, chain[0]] if closed else chain], look, label)
 
@@ -129,6 +130,7 @@ class Picture:
 
     @property
     def aspect(self) -> float:
+        """The ratio of height to width."""
         if not self.scale.is_true:
             return _STRETCHED_ASPECT
         left, right = self.axes.get_xlim()

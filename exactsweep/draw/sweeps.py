@@ -191,11 +191,13 @@ def draw_loops(picture: Picture, s: SweepAnswer) -> None:
 
 @explain_type_errors
 def draw_shape(picture: Picture, shape: AnyPolygon, look: Look, label: str | None = None) -> None:
+    """Draw a polygon with its holes."""
     picture.shape(shape.rings, look, label)
 
 
 @explain_type_errors
 def draw_undercuts(picture: Picture, undercuts: Iterable[Undercut]) -> None:
+    """Hatch undercuts."""
     for undercut in undercuts:
         picture.area(undercut.polygon.vertices, style.UNDERCUT, "undercut")
 
