@@ -1,4 +1,4 @@
-"""`python -m benchmarks`: scaling, spent, floors, growth, batches, peers, layouts, report."""
+"""`python -m benchmarks`: commands that measure growth, time and memory."""
 
 from __future__ import annotations
 
@@ -24,14 +24,16 @@ from benchmarks.peers.run import Comparison, compare, tabulate
 WIDTH = 140
 WIDE = 190
 
-quick_option = click.option("--quick", is_flag=True, help="Small pairs only, no seconds.")
+quick_option = click.option(
+    "--quick", is_flag=True, help="Measure only small pairs, and skip timing."
+)
 limit_option = click.option(
     "--limit", default=20.0, help="Time limit per program and pair, in seconds."
 )
 cgal_option = click.option(
     "--cgal",
     type=click.Path(exists=True, dir_okay=False, path_type=Path),
-    help="CGAL's program, if it is compiled already; otherwise it is, in a temporary folder.",
+    help="Use this compiled CGAL program instead of compiling it in a temporary folder.",
 )
 
 
@@ -58,7 +60,7 @@ def main() -> None:
 def scaling(quick: bool) -> None:
     """Measure operations, seconds and bytes of each procedure over doubling sizes.
 
-    The exit code is 1 if one of them exceeds the paper's bound.
+    The exit code is 1 if any cost exceeds the paper's bound.
     """
     console = Console(width=max(WIDTH, Console().width))
     console.print(machine())
@@ -68,7 +70,7 @@ def scaling(quick: bool) -> None:
         console.print(scaling_runs.series_table(series))
     console.print(scaling_runs.summary_table(measured))
     beyond = [series.failure for series in measured if not series.is_flat]
-    console.print(*(beyond or ["All are within the bounds."]), sep="\n")
+    console.print(*(beyond or ["All costs are within the bounds."]), sep="\n")
     sys.exit(bool(beyond))
 
 
@@ -76,7 +78,7 @@ def scaling(quick: bool) -> None:
 def spent() -> None:
     """Count the instructions, objects and comparisons of small pairs."""
     if sys.version_info >= spent_counts.TOO_NEW:
-        raise click.ClickException("from CPython 3.12 on, not every instruction can be traced")
+        raise click.ClickException("CPython 3.12 and later cannot trace every instruction")
     show(spent_counts.tabulate())
 
 
@@ -90,7 +92,7 @@ def floors(quick: bool) -> None:
 @main.command()
 @quick_option
 @click.option(
-    "-o", "plot", type=click.Path(path_type=Path), help="Also plot, as FILE.svg and FILE.png."
+    "-o", "plot", type=click.Path(path_type=Path), help="Plot the results as FILE.svg and FILE.png."
 )
 def growth(quick: bool, plot: Path | None) -> None:
     """Measure seconds and memory of hard shapes over doubling sizes."""
@@ -105,9 +107,9 @@ def growth(quick: bool, plot: Path | None) -> None:
 
 @main.command()
 @quick_option
-@click.option("--workers", default=2, help="How many processes of a Dask cluster.")
+@click.option("--workers", default=2, help="Number of processes in the Dask cluster.")
 def batches(workers: int, quick: bool) -> None:
-    """Measure batches of increasing size on a Dask cluster, and predict one of 10^9 pairs."""
+    """Measure batches of increasing size on a Dask cluster, and predict a batch of 10^9 pairs."""
     show(batch_runs.tabulate(workers=workers, quick=quick))
 
 
@@ -125,7 +127,7 @@ def peers(quick: bool, limit: float) -> None:
 @quick_option
 @cgal_option
 def layouts(quick: bool, cgal: Path | None) -> None:
-    """Measure the judging of layouts, compared with CGAL and shapely, and its growth."""
+    """Compare the judge of layouts with CGAL and shapely, and measure its growth."""
     show(layout_runs.tabulate(cgal, quick=quick))
 
 
@@ -141,7 +143,7 @@ def fair(limit: float, cgal: Path | None) -> None:
 
 @main.command()
 @click.option("-o", "folder", required=True, type=click.Path(file_okay=False, path_type=Path))
-@click.option("--redraw", is_flag=True, help="From what is in the folder, without measuring.")
+@click.option("--redraw", is_flag=True, help="Rewrite the report from saved measurements.")
 @quick_option
 @limit_option
 def report(folder: Path, redraw: bool, quick: bool, limit: float) -> None:

@@ -1,8 +1,8 @@
 """The cost of a batch on a Dask cluster, and a linear model of it.
 
 The cost is the processor time of the client with its scheduler, and of the workers, on one machine.
-In the model, each pair costs the workers the same time, and each chunk the client. It is fitted to
-all batches except the largest, and compared with the largest.
+In the model, each pair costs the workers the same time, and each chunk the client. The model is
+fitted to all batches except the largest, and compared with the largest.
 """
 
 from __future__ import annotations
@@ -23,8 +23,7 @@ from exactsweep.batch import run, take_all_pairs
 from exactsweep.batch.job import Job
 from exactsweep.batch.parts import Part
 
-SIDES = (1, 10, 32, 100)
-"""The number of parts in both lists; a single pair measures start and end."""
+SIDES = (1, 10, 32, 100)  # parts in both lists; a single pair measures startup and shutdown
 LARGE, LARGE_CHUNK = 10**9, 512
 _SAMPLE = 1000
 
@@ -40,7 +39,7 @@ class BatchCost(NamedTuple):
 
 
 def draw_parts(count: int) -> list[Part]:
-    """Make parts of 16 to 24 vertices of all classes."""
+    """Make parts with 16 to 24 vertices from all classes."""
     names = ("cc", "cm", "mm", "stair")
     return [
         Part(f"{name} {k}", Polygon(FAMILIES[name](16 + k % 9 // 2 * 2, 16, k)[1]))
@@ -69,7 +68,7 @@ def measure_pair(job: Job) -> float:
 
 
 def tabulate(*, workers: int, quick: bool) -> Iterator[Table]:
-    """Measured batches, and a cost model for these and for a large one."""
+    """Tabulate measured batches, and a cost model for these and for a large batch."""
     with TemporaryDirectory() as folder:
         jobs = []
         for side in SIDES[:3] if quick else SIDES:
@@ -86,7 +85,7 @@ def tabulate_costs(costs: Sequence[BatchCost], workers: int) -> Table:
     """Tabulate the measurements, with the cost of an additional pair in each batch."""
     table = Table(
         *("pairs", "chunks", "client and scheduler", "workers", "records"),
-        *("workers, ms a further pair", "client, ms a further chunk"),
+        *("workers, ms per additional pair", "client, ms per additional chunk"),
         title=f"processor time, {workers} workers",
     )
     for k, cost in enumerate(costs):
@@ -111,9 +110,9 @@ def tabulate_model(costs: Sequence[BatchCost], alone: float) -> Table:
     chunk = (middle.client - start.client) / (middle.chunks - start.chunks)
     record = middle.bytes / middle.pairs
     table = Table(
-        *("pairs", "pairs a chunk", "client and scheduler", "workers", "records"),
-        title=f"by the model: {1000 * pair:.2f} ms a pair ({1000 * alone:.2f} in one process alone)"
-        f", {1000 * chunk:.1f} ms a chunk, {record:.0f} bytes a record",
+        *("pairs", "pairs per chunk", "client and scheduler", "workers", "records"),
+        title=f"by the model: {1000 * pair:.2f} ms per pair ({1000 * alone:.2f} in one process)"
+        f", {1000 * chunk:.1f} ms per chunk, {record:.0f} bytes per record",
     )
     client = start.client + chunk * (largest.chunks - start.chunks)
     workers = start.workers + pair * (largest.pairs - start.pairs)
@@ -136,7 +135,7 @@ def _read_seconds() -> list[float]:
         from resource import RUSAGE_CHILDREN, RUSAGE_SELF, getrusage
     except ImportError:
         raise ClickException(
-            "what processes took that have ended is told by POSIX systems only"
+            "the processor time of finished processes is only available on POSIX systems"
         ) from None
     used = [getrusage(who) for who in (RUSAGE_SELF, RUSAGE_CHILDREN)]
     return [usage.ru_utime + usage.ru_stime for usage in used]

@@ -15,8 +15,7 @@ from typing import NamedTuple
 from exactsweep.processes import read_peak
 
 REPEATS = 100
-FINEST = 100e-6
-"""The coarsest useful tick in seconds."""
+COARSEST = 100e-6  # the coarsest useful tick in seconds
 
 
 class ClockError(RuntimeError):
@@ -36,7 +35,7 @@ class Times(NamedTuple):
 
 
 def milliseconds(call: Callable[[], object], seconds: float = 0.3) -> list[float]:
-    """Repeat a call 1 to 100 times for about the given seconds; return the time of each call."""
+    """Repeat a call 1 to 100 times for about this many seconds; return the time of each call."""
     times: list[float] = []
     while not times or (len(times) < REPEATS and sum(times) < 1000 * seconds):
         start = process_time()
@@ -46,7 +45,7 @@ def milliseconds(call: Callable[[], object], seconds: float = 0.3) -> list[float
 
 
 def require_fine_clock() -> None:
-    """Check the resolution of the processor clock by measurement; raise ClockError."""
+    """Measure the resolution of the processor clock; raise ClockError if it is too coarse."""
     ticks: list[float] = []
     last = process_time()
     while len(ticks) < 20:
@@ -54,12 +53,14 @@ def require_fine_clock() -> None:
         if now != last:
             ticks.append(now - last)
             last = now
-    if median(ticks) > FINEST:
-        raise ClockError(f"the processor's clock ticks only every {1000 * median(ticks):.3g} ms")
+    if median(ticks) > COARSEST:
+        raise ClockError(
+            f"the processor clock is too coarse: it ticks every {1000 * median(ticks):.3g} ms"
+        )
 
 
 def machine() -> str:
-    """Describe processor, Python and date, for the head of a table."""
+    """Describe the processor, Python and the date, for the head of a table."""
     processor = platform.processor() or platform.machine()
     described = Path("/proc/cpuinfo")
     if described.exists():

@@ -1,7 +1,7 @@
 """CGAL and the kernel on the same pairs: cached, rebuilt and parsed polygons.
 
 CGAL's time is that of its fastest strategy for each step, including exact coordinates of the
-result; its three loops are three sums. Both programs run alternately; the table has the least
+result; its three loops are three sums. Both programs run alternately. The table shows the minimum
 processor time of several runs, and the peak memory in MB including the interpreter.
 """
 
@@ -21,24 +21,22 @@ from benchmarks.peers.run import UNLIMITED, Ran, run_on, same
 from exactsweep import sweep
 from exactsweep.corpus.generator.shapes import Ring
 
+# CGAL's modes, and the operations of `benchmarks.peers.ours` in the same state.
 MODES = {"kept": "trajectory", "": "first", "text": "text"}
-"""CGAL's modes, and the operation of `benchmarks.peers.ours` in the same state."""
 SIZES = (16, 64, 256)
 SHAPES = (("radial", 16, 16), ("radial", 64, 64), ("radial", 256, 64), ("tangled", 26, 18))
+# The themes of the corpus with outlines of parts.
 CORPUS = ("caves", "interlocking", "jigsaw", "parts", "rectilinear", "spirals")
-"""The families of the corpus with outlines of parts."""
-ONE_OF = 8
-"""One in ONE_OF pairs of a family of the corpus is measured."""
+ONE_OF = 8  # measures one in eight pairs of a theme
 TURNS = 2
-SECONDS = 0.1
-"""Seconds of repetitions of each operation in each turn."""
+SECONDS = 0.1  # of repetitions of each operation in each turn
 BYTES = 1_000_000
 
 Pair = tuple[Ring, Ring]
 
 
 class Side(NamedTuple):
-    """The least time in milliseconds, the most memory in bytes."""
+    """The minimum time in milliseconds, and the peak memory in bytes."""
 
     time: float
     memory: int
@@ -92,7 +90,7 @@ def measure(
 
 
 def measure_row(cgal: Cgal, name: str, m: int, n: int) -> list[str]:
-    """Write the row of one pair: each mode, three loops, memory, and failed strategies."""
+    """Return the row of one pair: each mode, three loops, memory, and failed strategies."""
     pair = (FAMILIES | ANY_SHAPE)[name](m, n, 0)
     row = [f"{name} {m}, {n}"]
     failures = None
@@ -110,7 +108,7 @@ def measure_row(cgal: Cgal, name: str, m: int, n: int) -> list[str]:
 
 
 def measure_outlines(cgal: Cgal) -> Iterator[list[str]]:
-    """Write rows of the families of the corpus by class: pairs, ratios, unanswered, memory."""
+    """Yield rows for themes of the corpus by class: pairs, ratios, unanswered, memory."""
     outlines: defaultdict[str, list[Pair]] = defaultdict(list)
     for family, pair in list_outlines(CORPUS):
         kind = "any shape" if sweep(*pair).kind == "SS" else "monotone"
@@ -137,7 +135,7 @@ def tabulate(cgal: Cgal) -> Iterator[Table]:
     failed = ("crashes", "other answers")
     table = Table(title=f"CGAL {cgal.version}")
     table.add_column("pair")
-    for state in ("kept", "first", "from text", "three loops"):
+    for state in ("cached", "new", "from text", "three loops"):
         for column in (state, "CGAL", "times"):
             table.add_column(column, justify="right")
     for column in ("MB", "CGAL", *failed):
@@ -146,10 +144,10 @@ def tabulate(cgal: Cgal) -> Iterator[Table]:
         table.add_row(*measure_row(cgal, name, m, n))
     yield table
     outlines = Table(
-        title="Outlines of the corpus: the no-fit polygon, kept, times as fast as CGAL"
+        title="Outlines of the corpus: no-fit polygons of cached shapes, speed relative to CGAL"
     )
     outlines.add_column("family")
-    for column in ("pairs", "median", "least", "most", "MB", "CGAL", "without an answer of CGAL"):
+    for column in ("pairs", "median", "min", "max", "MB", "CGAL", "unanswered by CGAL"):
         outlines.add_column(column, justify="right")
     for row in measure_outlines(cgal):
         outlines.add_row(*row)

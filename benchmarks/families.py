@@ -19,7 +19,7 @@ Family = Callable[[int, int, int], tuple[Ring, Ring]]
 
 
 def stairs(n: int, random: Random, step: int = 1000, height: int = 1000) -> Ring:
-    """A rectilinear X-monotone polygon of about n vertices with random steps on both sides."""
+    """Make a rectilinear X-monotone polygon of about n vertices with random steps on both sides."""
     count = n // 4
     xs = [step * k + random.randrange(step // 2) for k in range(count + 1)]
     low = [random.randrange(-height, 0) for _ in range(count)]
@@ -30,25 +30,25 @@ def stairs(n: int, random: Random, step: int = 1000, height: int = 1000) -> Ring
 
 
 def stair(m: int, n: int, seed: int = 0) -> tuple[Ring, Ring]:
-    """Two random rectilinear polygons."""
+    """Make two random rectilinear polygons."""
     random = Random(f"stair {m} {n} {seed}")
     return stairs(n, random), stairs(m, random)
 
 
 def star(n: int, random: Random, size: int = 10**6) -> Ring:
-    """A polygon with vertices at equal angles and random distances from the centre."""
+    """Make a polygon with vertices at equal angles and random distances from the center."""
     turn, radii = 2 * pi / n, [random.uniform(0.35 * size, size) for _ in range(n)]
     return [(round(r * cos(k * turn)), round(r * sin(k * turn))) for k, r in enumerate(radii)]
 
 
 def radial(m: int, n: int, seed: int = 0) -> tuple[Ring, Ring]:
-    """Two spiky stars without a direction of monotonicity."""
+    """Make two spiky stars without a direction of monotonicity."""
     random = Random(f"radial {m} {n} {seed}")
     return star(n, random), star(m, random)
 
 
 def tangle(n: int, random: Random, size: int = 1000) -> Ring:
-    """A random tour of random points, untangled by 2-opt."""
+    """Draw random points, and untangle a tour of them by 2-opt."""
     while True:
         ring = untangle((random.randrange(size), random.randrange(size)) for _ in range(n))
         try:
@@ -58,7 +58,7 @@ def tangle(n: int, random: Random, size: int = 1000) -> Ring:
 
 
 def tangled(m: int, n: int, seed: int = 0) -> tuple[Ring, Ring]:
-    """Two outlines with caves and hooks, like published tests of nesting programs."""
+    """Make two outlines with cavities and hooks, like published tests of nesting programs."""
     random = Random(f"tangled {m} {n} {seed}")
     return tangle(n, random), tangle(m, random)
 
@@ -73,5 +73,5 @@ FAMILIES: dict[str, Family] = {
     "figure10": figure10,
 }
 
-# Pairs without a shared direction of monotonicity.
+# Without a shared direction of monotonicity.
 ANY_SHAPE: dict[str, Family] = {"radial": radial, "tangled": tangled}

@@ -27,7 +27,7 @@ SIZES = ((16, 16), (64, 64), (256, 64), (256, 256))
 
 
 def comb(teeth: int, pitch: int = 4000, height: int = 10**6) -> Ring:
-    """Make a comb of 4 k + 2 vertices, its teeth a quarter of the pitch wide."""
+    """Make a comb of 4 k + 2 vertices, with teeth a quarter of the pitch wide."""
     top: Ring = []
     for x in range(0, pitch * teeth, pitch):
         top += [(x, 2 * height), (x + pitch // 4, 2 * height)]
@@ -36,12 +36,12 @@ def comb(teeth: int, pitch: int = 4000, height: int = 10**6) -> Ring:
 
 
 def least(call: Callable[[], object]) -> float:
-    """Return the least time of several calls in milliseconds."""
+    """Return the minimum time of several calls in milliseconds."""
     return min(milliseconds(call))
 
 
 def after_loops(step: Callable[[Sweep], object], *pair: Polygon) -> float:
-    """Return the least time of a step after the sweep in milliseconds."""
+    """Return the minimum time of a step after the sweep, in milliseconds."""
     times = []
     for _ in range(3):
         s = sweep(*pair)
@@ -51,28 +51,28 @@ def after_loops(step: Callable[[Sweep], object], *pair: Polygon) -> float:
 
 
 def take_loops(s: Sweep) -> None:
-    """Read the three loops."""
+    """Compute the three loops."""
     assert s.trajectory.vertices
     assert s.inner.vertices
     assert s.outer.vertices
 
 
 def run_trajectory(generatrix: Polygon, directrix: Polygon) -> None:
-    """Sweep, and read the trajectory."""
+    """Sweep, and compute the trajectory."""
     assert sweep(generatrix, directrix).trajectory.vertices
 
 
 def run_loops(generatrix: Polygon, directrix: Polygon) -> None:
-    """Sweep, and read the three loops."""
+    """Sweep, and compute the three loops."""
     take_loops(sweep(generatrix, directrix))
 
 
 def tabulate(*, quick: bool) -> Iterator[Table]:
-    """Measure the pairs of every family; unless `quick`, also the page of a large pair."""
+    """Measure pairs of every family and, unless `quick`, the page of a large pair."""
     table = Table(
         *("family", "m, n", "trajectory", "three loops", "verify", "times", "JSON, times"),
         *("undercuts", "times the trajectory", "certificate"),
-        title=f"milliseconds, least of several runs; verify at most {VERIFY_BAR:g} times the loops",
+        title=f"milliseconds, minimum of runs; limit of verify: {VERIFY_BAR:g} times the loops",
     )
     for name, (m, n) in product(NAMES, SIZES[:1] if quick else SIZES):
         pair = tuple(map(Polygon, FAMILIES[name](m, n, 0)))
@@ -99,7 +99,7 @@ def tabulate_page() -> Table:
     from exactsweep.view.data import gather_page_data
 
     pair = Polygon(mm(1002, 1000, 0)[0]), Polygon(comb(250))
-    table = Table("the page of 1,000 around 1,002", "ms", title=f"at most {PAGE_BAR:g} ms")
+    table = Table("the page of 1,000 around 1,002", "ms", title=f"limit: {PAGE_BAR:g} ms")
     table.add_row("three loops", f"{least(partial(run_loops, *pair)):.0f}")
     steps: dict[str, Callable[[Sweep], object]] = {
         "undercuts": lambda s: s.undercuts,
@@ -109,5 +109,5 @@ def tabulate_page() -> Table:
     }
     for name, step in steps.items():
         table.add_row(name, f"{after_loops(step, *pair):.0f}")
-    table.add_row("all of the page", f"{least(lambda: gather_page_data(sweep(*pair))):.0f}")
+    table.add_row("the whole page", f"{least(lambda: gather_page_data(sweep(*pair))):.0f}")
     return table

@@ -37,7 +37,7 @@ Question = Callable[[], object]
 
 
 def strips(n: int) -> Ring:
-    """Make a zigzag strip of n vertices, 400 high."""
+    """Make a zigzag strip with n vertices and height 400."""
     up = [(2 * i, 400 if i % 2 else 0) for i in range(n // 2)]
     return up + [(x, y + 3) for x, y in reversed(up)]
 
@@ -48,7 +48,7 @@ def saw(n: int) -> Ring:
 
 
 def spikes(n: int, outer: int, inner: int) -> Ring:
-    """Make a star of n vertices at two distances from the centre."""
+    """Make a star of n vertices at two distances from the center."""
     ends = [((inner if k % 2 else outer), 2 * pi * k / n) for k in range(n)]
     return [(round(r * cos(angle)), round(r * sin(angle))) for r, angle in ends]
 
@@ -181,10 +181,13 @@ CASES = {
     "hooks": Case("a square in a comb of n with hooks", ask_hooks, (604, 1204, 2404, 4804)),
     "plate": Case("certificate of two plates of n holes", ask_plate, (250, 500, 1000, 2000)),
     "proof": Case("verify of a star of n around itself", ask_proof, (24, 50, 100)),
-    "denominators": Case("loops of radial n, n by 30 digits", ask_denominators, (10, 20, 40)),
-    "digits": Case("loops of combs of n, n with 300 digits", ask_digits, (8, 16, 32)),
+    "denominators": Case(
+        "loops of radial n, n with denominators of 30 digits", ask_denominators, (10, 20, 40)
+    ),
+    "digits": Case(
+        "loops of combs of n, n with coordinates of 300 digits", ask_digits, (8, 16, 32)
+    ),
 }
-"""The questions; `radial` has denominators of 30 digits, the combs have long ints."""
 
 
 class Grown(NamedTuple):
@@ -204,7 +207,7 @@ class Grown(NamedTuple):
 
 
 def measure_all(*, quick: bool = False) -> Iterator[Grown]:
-    """Measure all cases; if `quick`, without the largest sizes."""
+    """Measure all cases; skip the largest sizes if `quick`."""
     for name, case in CASES.items():
         sizes = case.sizes[: -1 if quick else None]
         runs = [_measure(name, size) for size in sizes]
@@ -220,7 +223,7 @@ def _measure(name: str, size: int) -> tuple[float, float]:
 
 
 def tabulate(measured: Iterable[Grown]) -> Table:
-    """Tabulate all sizes of all cases, with the slopes at the largest."""
+    """Tabulate all sizes of all cases, with the slopes at the largest sizes."""
     table = Table("case", title="seconds and MB, slopes over the three largest sizes")
     for column in ("n", "s", "times", "slope", "MB", "slope"):
         table.add_column(column, justify="right")

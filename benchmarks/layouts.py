@@ -1,8 +1,8 @@
-"""Judging of layouts, compared with CGAL and shapely, and its growth over doubling sizes.
+"""The judge of layouts, compared with CGAL and shapely, and its growth over doubling sizes.
 
 All three find the placed parts that overlap or leave the container. shapely and CGAL compute
 intersections; CGAL also tests them by `do_intersect`. The layouts are tilings by interlocking
-parts, with a small gap or none, as dense as layouts of nesting programs.
+parts, with a small gap or none, as dense as the layouts of nesting programs.
 """
 
 from __future__ import annotations
@@ -31,8 +31,8 @@ SOURCE = Path(__file__).parent / "cgal" / "layouts.cpp"
 
 GAP, TOUCHING = "a gap", "touching borders"
 CELL = 10**9
+# Placements and vertices per part, as in published records.
 RECORDS = ((24, 8), (28, 8), (30, 12), (48, 20), (99, 8), (64, 12), (50, 116), (80, 212))
-"""Placements and vertices per part, as in published records."""
 DOUBLINGS = (625, 1250, 2500, 5000, 10_000)
 GROWING = 52
 OPERATIONS = {"CGAL": "intersection", "CGAL meet": "meet"}
@@ -74,7 +74,7 @@ def tile(number: int, vertices: int, *, gap: bool, seed: int = 1) -> Layout:
 
 
 def draw_border(random: Random, inner: int) -> Offsets:
-    """Draw the inner points of a border, as distances along and from it."""
+    """Draw the inner points of a border, as pairs of a position along it and an offset."""
     found = []
     for k in range(1, inner + 1):
         along = CELL * k // (inner + 1)
@@ -85,7 +85,7 @@ def draw_border(random: Random, inner: int) -> Offsets:
 
 
 def draw_tile(borders: list[Offsets], room: int) -> list[tuple[int, int]]:
-    """Make the part in a cell from its four borders (left, right, lower, upper), less a gap."""
+    """Make the part in a cell from its left, right, lower and upper borders, shrunk by a gap."""
     left, right, low, high = borders
     ring = [(room, room), *((along, off + room) for along, off in low)]
     ring += [(CELL - room, room), *((CELL + off - room, along) for along, off in right)]
@@ -111,7 +111,7 @@ def place_all(layout: Layout) -> list[Region]:
 
 
 def judge_ours(layout: Layout) -> Pairs:
-    """Find the overlapping pairs by our judge; the outside has the last number."""
+    """Find the overlapping pairs by our judge; the outside has the last index."""
     outside = len(layout.placements)
     return {
         (fault.placements[0], fault.placements[1] if fault.kind == "overlap" else outside)
@@ -121,7 +121,7 @@ def judge_ours(layout: Layout) -> Pairs:
 
 
 def make_shapely(shapes: list[Region]) -> Callable[[], Pairs]:
-    """Find the overlapping pairs by shapely: a tree of boxes, and areas of intersections."""
+    """Return a function that finds the overlapping pairs by areas of intersections."""
     import numpy
     import shapely
 
@@ -227,11 +227,11 @@ def compile_judge(folder: Path) -> Path | None:
 
 
 def tabulate(cgal: Path | None, *, quick: bool) -> Iterator[Table | str]:
-    """Write the tables, and lines with the medians of the ratios."""
+    """Yield the tables, and lines with the medians of the ratios."""
     with TemporaryDirectory() as folder:
         cgal = cgal or compile_judge(Path(folder))
         found = list(compare_all(cgal, quick=quick))
-    table = Table(title="Layouts judged, median ms of processor time")
+    table = Table(title="Judging of layouts, median processor time in ms")
     programs = [*found[0].times]
     ratios = [("ours", "shapely"), *((program, "ours") for program in programs[2:])]
     for column in ("parts with", "placements", "vertices", *programs):
@@ -251,8 +251,8 @@ def tabulate(cgal: Path | None, *, quick: bool) -> Iterator[Table | str]:
         for a, b in ratios:
             half = median(row.times[a] / row.times[b] for row in found if row.name == name)
             yield f"{name}: {a} / {b}: median {half:.1f}"
-    growth = Table(title=f"Tilings by parts of {GROWING} vertices, seconds, and MB at most")
-    for name in ("placements", "verdict", "least distance", "memory"):
+    growth = Table(title=f"Tilings by parts of {GROWING} vertices: seconds, and peak MB")
+    for name in ("placements", "verdict", "minimum distance", "memory"):
         growth.add_column(name, justify="right")
     for number in DOUBLINGS[:1] if quick else DOUBLINGS:
         grown = grow(number)

@@ -11,7 +11,7 @@ from exactsweep.corpus.generator.shapes import Ring
 
 
 def list_outlines(families: Collection[str]) -> Iterator[tuple[str, tuple[Ring, Ring]]]:
-    """Yield the pairs of families of the corpus without holes, as generatrix and directrix."""
+    """Yield the pairs without holes from themes of the corpus, as generatrix and directrix."""
     for case in cases():
         family = case.id.partition("-")[0]
         if family in families and not (case.directrix_holes or case.generatrix_holes):

@@ -1,4 +1,4 @@
-"""Log-log plots: comparisons of programs, and hard shapes over their size."""
+"""Log-log plots: comparisons of programs, and hard shapes by size."""
 
 from __future__ import annotations
 
@@ -62,7 +62,7 @@ def programs(found: Comparison, path: Path) -> None:
 
 
 def shapes(measured: Sequence[Grown], path: Path) -> None:
-    """Plot seconds and memory of hard shapes over their size, in two panels."""
+    """Plot seconds and memory of hard shapes by size, in two panels."""
     with context(SMALLER):
         figure, panels = _panels(2, columns=2)
         figure.set_figheight(4)

@@ -1,4 +1,4 @@
-"""The report: Markdown with tables and plots in one folder."""
+"""The report: Markdown with tables and plots in a folder."""
 
 from __future__ import annotations
 
@@ -15,18 +15,16 @@ from exactsweep.paper.growth import Growth
 from exactsweep.paper.report import plot_ratios
 
 MEASURED = "measured.pickle"
-Measured = tuple[str, Sequence[Growth], Comparison]
-"""Machine, growth and comparison."""
+Measured = tuple[str, Sequence[Growth], Comparison]  # machine, growth and comparison
 
 
 def save(folder: Path, measured: Sequence[Growth], found: Comparison) -> None:
-    """Save the measurements, to write the report again."""
+    """Save the measurements, so that the report can be written again."""
     folder.mkdir(parents=True, exist_ok=True)
     (folder / MEASURED).write_bytes(pickle.dumps((machine(), measured, found)))
 
 
 def load(folder: Path) -> Measured:
-    """Load saved measurements."""
     kept: Measured = pickle.loads((folder / MEASURED).read_bytes())
     return kept
 
@@ -55,10 +53,11 @@ def write(folder: Path) -> Path:
 
 
 GROWTH = (
-    "Exponents of the least squares line through the logarithms; those of seconds over the three "
-    "largest sizes. That of the bound is over the same sizes, logarithms included. Operations are "
-    "multiplications and comparisons of coordinates and vertices out, the same on every run; bytes "
-    "are the peak beside the input. The figures show all of these divided by the bounds."
+    "Exponents are fitted by least squares on a log-log scale; exponents of seconds use the three "
+    "largest sizes. The exponent of the bound is fitted over the same sizes, including logarithms. "
+    "Operations are multiplications, comparisons of coordinates, and output vertices; they are the "
+    "same in every run. Bytes are the peak without the input. The figures show all costs divided "
+    "by the bounds."
 )
 PROGRAMS = "Median time for the trajectory, with minimum and maximum."
 

@@ -1,7 +1,7 @@
 """The growth of the procedures: operations, seconds and bytes over doubling sizes.
 
-`exactsweep.paper.costs` defines the pairs and the largest exponent above that of the paper's bound,
-also for the ledger's rows on costs.
+`exactsweep.paper.costs` defines the pairs, and the permitted excess of exponents over the paper's
+bounds, also for the ledger's rows on costs.
 """
 
 from __future__ import annotations
@@ -17,7 +17,7 @@ from exactsweep.paper.growth import Growth
 
 
 def measure_all(*, quick: bool = False) -> Iterator[Growth]:
-    """Measure all series; if `quick`, fewer sizes, without seconds."""
+    """Measure all series; if `quick`, use fewer sizes and skip timing."""
     for cost in COSTS:
         yield from cost.measure(Effort(quick=quick))
     yield from measure_shapes(quick=quick)
@@ -35,7 +35,7 @@ def series_table(series: Growth) -> Table:
 
 
 def summary_table(measured: Iterable[Growth]) -> Table:
-    """Tabulate fitted exponents and those of the paper."""
+    """Tabulate fitted exponents and those of the paper's bounds."""
     found = tabulate(measured)
     table = Table(title=found.caption, title_justify="left")
     for k, name in enumerate(found.header):

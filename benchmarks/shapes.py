@@ -24,12 +24,11 @@ from exactsweep.procedures.walk import find_free
 SIZES = {"radial": (16, 32, 64, 128), "tangled": (12, 24, 48)}
 STEPS = (
     "contact segments",
-    "pieces that leave the squares",
-    "crossings of these",
+    "segments not covered by squares",
+    "crossings of these segments",
     "overlap tests",
 )
-_RISE = 0.3
-"""The permitted excess of an exponent, as each size has only one pair."""
+_RISE = 0.3  # the permitted excess of an exponent, as each size has only one pair
 
 
 def count_steps(family: str, size: int) -> tuple[int, ...]:

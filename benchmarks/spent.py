@@ -1,6 +1,7 @@
-"""The work of a small pair: counts of interpreter instructions by kind, the same on every run.
+"""The work for a small pair: counts of interpreter instructions by kind, the same in every run.
 
-A pair takes less than a millisecond, and profilers add more to a call than most functions take.
+A pair takes less than a millisecond, and a profiler adds more to each call than most functions
+take.
 """
 
 from __future__ import annotations
@@ -21,8 +22,7 @@ from exactsweep import Polygon, Sweep, sweep
 from exactsweep.procedures.monotone import LowerMM, MonotoneSolution
 
 PAIRS = (("mm", 16), ("stair", 16), ("cm", 64))
-TOO_NEW = (3, 12)
-"""The first CPython version that does not report all instructions."""
+TOO_NEW = (3, 12)  # the first CPython version that does not report all instructions
 COUNTED = ("instructions", "calls", "objects", "Fractions", "products", "comparisons")
 
 
@@ -42,19 +42,19 @@ class Step(NamedTuple):
 STEPS = (
     Step("chains of both", take_halves),
     Step("trajectory, lower envelopes", lambda s: [half.trajectory for half in take_halves(s)]),
-    Step("trajectory, its vertices", lambda s: s.trajectory.vertices),
+    Step("trajectory, vertices", lambda s: s.trajectory.vertices),
     Step("inner loop, chains", lambda s: [half.inner for half in take_halves(s)]),
-    Step("inner loop, its vertices", lambda s: s.inner.vertices),
+    Step("inner loop, vertices", lambda s: s.inner.vertices),
     Step("outer loop, chains", lambda s: [half.outer for half in take_halves(s)]),
-    Step("outer loop, its vertices", lambda s: s.outer.vertices),
+    Step("outer loop, vertices", lambda s: s.outer.vertices),
 )
 
 
 def count(run: Callable[[], object]) -> Counter[str]:
     """Count instructions, calls, objects, Fractions, products and comparisons.
 
-    Calls are those of functions in Python; objects those that an instruction builds, or a class;
-    products are multiplications and divisions.
+    Calls are calls of Python functions. Objects are built by instructions or by classes. Products
+    are multiplications and divisions.
     """
     found: Counter[str] = Counter()
 
@@ -116,7 +116,7 @@ def tabulate() -> Iterator[Table]:
         steps.append(("all", sum((found for _, found in steps), Counter())))
         again = sweep(generatrix, directrix)
         runs = [count(partial(step.run, again)) for step in STEPS]
-        steps.append(("all, of polygons swept before", sum(runs, steps[0][1])))
+        steps.append(("all, for polygons swept before", sum(runs, steps[0][1])))
         for name, found in steps:
             table.add_row(name, *(f"{found[what]:,}" for what in COUNTED))
         yield table

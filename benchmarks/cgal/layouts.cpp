@@ -1,16 +1,16 @@
-// Which placed parts of a layout overlap, and which leave their container, by CGAL, exactly.
+// Exact detection of overlapping parts, and of parts outside the container, with CGAL.
 //
 //     layouts OPERATION SECONDS < LAYOUT
 //
-// OPERATION is `meet`, whether interiors have a common point, or `intersection`, which is made and
-// looked at, as programs in doubles do it.
+// OPERATION is `meet`, a test whether interiors intersect, or `intersection`, which computes the
+// intersection, as programs with doubles do.
 //
-// LAYOUT: a number of shapes, then the shapes; the last one is what is outside of the container, in
-// a frame. A shape: its number of rings, the exterior first; a ring: its number of vertices, then
-// their exact rational coordinates, counter-clockwise for an exterior, clockwise for a hole.
-// Writes the processor times in ms of as many runs as fit into so many seconds, on one line; then
-// the pairs that overlap, one a line. A run makes the polygons, finds the pairs of boxes that meet
-// and carries out the operation on each.
+// LAYOUT consists of the number of shapes and the shapes; the last one is the complement of the
+// container in a frame. A shape consists of the number of rings and the rings, the exterior first; a
+// ring of the number of vertices and their exact rational coordinates, counter-clockwise for an
+// exterior, clockwise for a hole. The program repeats runs for about SECONDS, and writes their
+// processor times in ms on one line, then the overlapping pairs, one per line. A run constructs the
+// polygons, finds the pairs of intersecting boxes, and applies the operation to each.
 
 #include <CGAL/Boolean_set_operations_2.h>
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>

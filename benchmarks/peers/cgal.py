@@ -32,7 +32,7 @@ EROSIONS = (
     *((strategy, "halves") for strategy in CGAL_STRATEGIES),
 )
 
-# A strategy slower than the fastest by this factor is stopped, and skipped on larger pairs of the
+# Strategies slower than the fastest by this factor are stopped, and skipped on larger pairs of the
 # same family.
 HOPELESS = 4.0
 
@@ -61,7 +61,7 @@ def compile_program(folder: Path, source: Path = SOURCE) -> Path:
 
 
 class Cgal:
-    """A runner of the program that skips slow strategies, and counts failed and differing ones."""
+    """A runner of the program that skips slow strategies, and counts failures and wrong answers."""
 
     def __init__(self, program: Path, limit: float, seconds: float = SECONDS) -> None:
         self._program = program
@@ -72,11 +72,7 @@ class Cgal:
         self.version = run([program, "version"], "", limit).strip()
 
     def best(self, family: str, stage: str, p: Loop, q: Loop, mode: str = "") -> Best | None:
-        """Find the fastest strategy for P + Q, or for P eroded by -Q, from counter-clockwise rings.
-
-        Returns:
-            None if no strategy finishes within the limit.
-        """
+        """Find the fastest strategy for P + Q, or for P eroded by -Q; None if all are too slow."""
         strategies = self._worth.get((family, stage), EROSIONS if stage == "inner" else SUMS)
         found: list[tuple[Best, tuple[str, str]]] = []
         polygons: list[Polygon] = []
@@ -95,7 +91,7 @@ class Cgal:
             allowed = min(allowed, max(1.0, HOPELESS * ran.times.median / 1000))
         if not found:
             return None
-        # Some strategies fail on collinear vertices: CGAL's answer is that of the majority.
+        # Some strategies fail on collinear vertices, so CGAL's answer is that of the majority.
         answer = Counter(polygons).most_common(1)[0][0]
         found = [pair for pair, polygon in zip(found, polygons, strict=True) if polygon == answer]
         self.differing = len(polygons) - len(found)

@@ -1,6 +1,6 @@
 """The kernel, from polygons or from unchecked vertices to lists of Fractions.
 
-The other programs do not check that polygons are simple, so compare them with the kernel on
+Other programs do not check whether polygons are simple, so compare them with the kernel on
 polygons.
 """
 

@@ -1,6 +1,6 @@
 """Run a program with a limit on wall time.
 
-With a system limit on processor time, Linux measures it in coarse ticks.
+A system limit on processor time would make Linux measure it in coarse ticks.
 """
 
 from __future__ import annotations
@@ -21,11 +21,7 @@ class TooSlowError(StoppedError):
 
 
 def run(command: Sequence[str | Path], given: str, seconds: float, *, overhead: float = 0.0) -> str:
-    """Run a program with a limit of processor time and an overhead; return its output.
-
-    Raises:
-        StoppedError: the program takes longer, crashes or fails.
-    """
+    """Run a program with limits on processor time and overhead; return its output."""
     try:
         done = subprocess.run(
             command,

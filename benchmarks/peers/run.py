@@ -28,30 +28,24 @@ from exactsweep.corpus.generator.shapes import Ring
 
 OURS, CHECKED = "exactsweep", "with checks"
 SIZES = ((16, 16), (64, 64), (256, 64), (256, 256))
+# The family of each pair, and the numbers of vertices of its directrix and generatrix.
 PAIRS = (
     *((family, m, n) for family in ("cc", "cm", "cm_hard", "mm", "stair") for m, n in SIZES),
     *(("cc", 10_000, 10_000), ("cm_hard", 1024, 256), ("mm", 1024, 256)),
     *(("tangled", 26, 18), *(("radial", m, n) for m, n in SIZES)),
 )
-"""The family of each pair, and the vertices of its directrix and generatrix."""
 TIMES = (
     "CPU time in ms: median (minimum to maximum). The kernel starts from Polygon objects; the "
-    "times with checks start from lists of numbers, and include checking that the polygons are "
-    "simple, which other programs omit. For polygons of any shape, the kernel finds all loops and "
-    "fits."
+    "times with checks start from lists of numbers, and include the check for simple polygons, "
+    "which other programs omit. For polygons of any shape, the kernel finds all loops and fits."
 )
 SECONDS = 0.5
-STARTING = 3.0
-"""Additional seconds for starting Python."""
+STARTING = 3.0  # additional seconds for starting Python
 UNLIMITED = 3600.0
 
 
 class Result(NamedTuple):
-    """One program on one pair.
-
-    `wrong` is the number of missing vertices of the exact loop; `note` replaces the times if there
-    is no answer.
-    """
+    """One program on one pair: `wrong` counts missing vertices; `note` replaces missing times."""
 
     program: str
     family: str
@@ -78,7 +72,7 @@ class Comparison(NamedTuple):
 
 
 def compare(*, limit: float, quick: bool = False, say: Callable[[str], None] = print) -> Comparison:
-    """Measure everything."""
+    """Measure all pairs and programs."""
     versions, skipped = {OURS: ours.version(), CHECKED: "the same from lists"}, {}
     for name in NAMES:
         try:
@@ -169,7 +163,7 @@ def pairs_a_second(task: Callable[[Ring, Ring], Callable[[], object]], passes: i
 def tabulate(found: Comparison) -> Iterator[Table]:
     """Tabulate all pairs and programs, and the small pairs."""
     table = Table(
-        "pair", title="the trajectory; in brackets, vertices that are not exact", caption=TIMES
+        "pair", title="the trajectory; in brackets, the number of inexact vertices", caption=TIMES
     )
     for name in found.versions:
         table.add_column(name, justify="right")
@@ -180,7 +174,7 @@ def tabulate(found: Comparison) -> Iterator[Table]:
             table.add_row(f"{family} {m}, {n}", *row)
     yield table
     small = Table("operation", title="small pairs on one core: outlines of parts, 7 to 38 vertices")
-    small.add_column("pairs a second", justify="right")
+    small.add_column("pairs per second", justify="right")
     for name, rate in found.pairs_a_second.items():
         small.add_row(name, f"{rate:.0f}")
     yield small

@@ -2,8 +2,8 @@
 
     python -m benchmarks.peers.worker MODULE OPERATION SECONDS < pair.json > result.json
 
-MODULE has a function OPERATION that takes generatrix and directrix and returns the timed function;
-with the module "adapted", OPERATION is the name of a program.
+The function OPERATION of MODULE takes the generatrix and the directrix, and returns the timed
+function; for the module "adapted", OPERATION is the name of a program.
 """
 
 from __future__ import annotations

@@ -183,7 +183,7 @@ def test_a_plate_and_a_bin_are_right_for_programs_with_holes(name: str) -> None:
 
 def test_a_program_gets_its_own_questions() -> None:
     adapter = installed("pyclipper")
-    with pytest.raises(MissingError, match="is not asked for inner_fit, but for minkowski_sum"):
+    with pytest.raises(MissingError, match="does not answer inner_fit, only minkowski_sum"):
         adapter.limited("inner_fit")
     holed = Case.of("holed", "", BOX, BOX, directrix_holes=[[(1, 1), (2, 1), (1, 2)]])
     outcome = judge_case(CallablePeer(adapter.answer, adapter.hello), holed)
@@ -214,10 +214,12 @@ def test_the_source_of_nesting_programs_is_the_user_s(
     for name in ("svgnest-orbit", "svgnest-clipper", "deepnest-clipper"):
         variable = f"EXACTSWEEP_{name.partition('-')[0].upper()}"
         monkeypatch.setenv(variable, str(tmp_path))
-        with pytest.raises(MissingError, match=f"needs node, and {variable} for the folder"):
+        with pytest.raises(
+            MissingError, match=f"needs node, and the variable {variable} must name the folder"
+        ):
             load(name)
     monkeypatch.setenv("PATH", str(tmp_path))
-    with pytest.raises(MissingError, match="no program exactsweep-nfporb-rational"):
+    with pytest.raises(MissingError, match="compile nfporb.cpp as exactsweep-nfporb-rational"):
         load("libnfporb-rational")
 
 
@@ -273,7 +275,9 @@ def test_a_nesting_program_is_run_as_it_is(monkeypatch: pytest.MonkeyPatch, tmp_
 def test_a_package_of_npm_is_run_as_it_is(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
     """A stand-in for a package: its union is the greatest of what is united."""
     monkeypatch.delenv("EXACTSWEEP_NPM", raising=False)
-    with pytest.raises(MissingError, match="polygon-clipping needs node, and EXACTSWEEP_NPM"):
+    with pytest.raises(
+        MissingError, match="polygon-clipping needs node, and the variable EXACTSWEEP_NPM"
+    ):
         load("polygon-clipping")
     if shutil.which("node") is None:
         pytest.skip("node is not installed")

@@ -1,8 +1,9 @@
 """Adapters for judging other programs, if they are installed.
 
-Programs for Minkowski sums compute D + (-G); orbiting programs compute the path of G. Exteriors are
-counter-clockwise, holes clockwise, without repeated vertices, as several programs require. The
-adapters return all rings of an answer unchanged, unless their docstring states otherwise.
+Programs for Minkowski sums compute D + (-G); orbiting programs compute the path of G. Several
+programs require counter-clockwise exteriors and clockwise holes without repeated vertices, so all
+adapters pass these. They return all rings of an answer unchanged, unless their docstring states
+otherwise.
 
 `load` returns an adapter as a function. As a process:
 

@@ -19,9 +19,9 @@ from exactsweep.numbers.number import to_fraction
 
 @click.command()
 @click.argument("name", required=False, type=click.Choice(NAMES))
-@click.option("--ask", "question", type=click.Choice(QUESTIONS), help="One question, not all.")
+@click.option("--ask", "question", type=click.Choice(QUESTIONS), help="Answer only this question.")
 def main(name: str | None, question: str | None) -> None:
-    """Answer the cases on standard input by the program NAME.
+    """Answer the cases on standard input with the program NAME.
 
     The protocol is that of 'exactsweep conform'. Without a name, list the programs and whether they
     are installed.
@@ -81,7 +81,7 @@ def _number(text: str, numbers: str) -> object:
     try:
         return float(text) if numbers == "binary64" else int(text)
     except ValueError:
-        raise NotImplementedError(f"{quote(text)} is no {numbers}") from None
+        raise NotImplementedError(f"{quote(text)} is not a number of type {numbers}") from None
 
 
 def _write(value: object) -> str:

@@ -25,7 +25,7 @@ class MissingError(ExactSweepError):
 
 
 def _do_nothing() -> None:
-    """Do nothing."""
+    pass
 
 
 class Adapter(NamedTuple):
@@ -33,7 +33,7 @@ class Adapter(NamedTuple):
 
     Attributes:
         hello: its hello.
-        ask: computes the answer to a part, such as "no_fit", from D and G, lists of rings with the
+        ask: computes the answer to a part, such as "no_fit", from D and G: lists of rings, the
             exterior counter-clockwise and holes clockwise.
         close: ends its processes.
     """
@@ -49,11 +49,7 @@ class Adapter(NamedTuple):
         reference: object = None,
         parts: Iterable[str] = (),
     ) -> dict[str, Any]:
-        """Answer a case for `CallablePeer`.
-
-        Raises:
-            NotImplementedError: the program does not support the numbers or the shape.
-        """
+        """Answer a case for `CallablePeer`; raise NotImplementedError for unsupported input."""
         if self.hello.shapes != "any":
             directrix, generatrix = [directrix], [generatrix]
         d, g = prepare_shape(directrix), prepare_shape(generatrix)
@@ -66,10 +62,10 @@ class Adapter(NamedTuple):
         return found
 
     def limited(self, question: str) -> Adapter:
-        """Return the adapter for one of its questions; raise MissingError for another one."""
+        """Return the adapter for one of its questions."""
         if question not in self.hello.questions:
             listed = ", ".join(self.hello.questions)
-            raise MissingError(f"{self.hello.name} is not asked for {question}, but for {listed}")
+            raise MissingError(f"{self.hello.name} does not answer {question}, only {listed}")
         loops = self.hello.loops if question == "sweep" else ()
         chosen = cast(tuple[Question, ...], (question,))
         return self._replace(hello=replace(self.hello, questions=chosen, loops=loops))
@@ -85,7 +81,7 @@ def sum_adapter(
 ) -> Adapter:
     """Make the adapter of a program that computes Minkowski sums.
 
-    If the program accepts holes, inner fits are holes of the sum of -G and a frame around the
+    If the program accepts holes, inner fits are the holes of the sum of -G and a frame around the
     container.
     """
 
@@ -102,7 +98,6 @@ def sum_adapter(
 
 
 def reflect(shape: AskedShape) -> AskedShape:
-    """Reflect a shape in the origin."""
     return [[(-x, -y) for x, y in ring] for ring in shape]
 
 
@@ -116,7 +111,7 @@ def build_frame(container: AskedRing, inverse: AskedRing) -> AskedShape:
 
 
 def drop_outermost(rings: AnsweredRings) -> list[Sequence[Sequence[Number]]]:
-    """Return the rings except for the leftmost one."""
+    """Return all rings except the leftmost one."""
 
     def leftmost(k: int) -> Fraction:
         return min(to_fraction(x) for x, _ in rings[k])
@@ -160,12 +155,11 @@ def refer(ring: Sequence[Sequence[Number]], corner: tuple[Number, Number]) -> li
 
 
 def _move(ring: AskedRing, by: tuple[Number, Number]) -> AskedRing:
-    """Translate a ring."""
     return [(x + by[0], y + by[1]) for x, y in ring]
 
 
 def require_range(first: AskedShape, second: AskedShape, most: int) -> None:
-    """Raise NotImplementedError if the sum of rings may exceed a limit."""
+    """Raise NotImplementedError if the sum of rings can exceed a limit."""
     reach = sum(max(abs(c) for ring in shape for p in ring for c in p) for shape in (first, second))
     if reach > most:
         raise NotImplementedError(f"coordinates beyond {most}")

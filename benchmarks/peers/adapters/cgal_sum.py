@@ -7,7 +7,7 @@ Compile `cgal_sums.cpp` in this folder as `exactsweep-cgal`:
 
     g++ -std=c++17 -O2 -DNDEBUG -o exactsweep-cgal cgal_sums.cpp -lgmp -lmpfr
 
-A strategy that crashes is started again for the next case.
+A strategy that crashes is restarted for the next case.
 """
 
 from __future__ import annotations
@@ -20,17 +20,16 @@ from benchmarks.peers.adapters.adapter import Adapter, MissingError, sum_adapter
 from benchmarks.peers.adapters.program import Program, write_shape
 
 PROGRAM = "exactsweep-cgal"
-TAKE_HOLES = ("reduced", "vertical", "triangulation")
-"""The strategies for polygons with holes; the others are for simple polygons."""
+TAKE_HOLES = ("reduced", "vertical", "triangulation")  # the others need simple polygons
 SOURCE = Path(__file__).with_name("cgal_sums.cpp")
 
 
 def adapter(name: str) -> Adapter:
-    """Make the adapter of one strategy; raise MissingError without the program."""
+    """Make the adapter of one strategy."""
     program = which(PROGRAM)
     if program is None:
         raise MissingError(
-            f"{name} is not installed: compile {SOURCE} to a program {PROGRAM} on the path"
+            f"{name} is not installed: compile {SOURCE} as {PROGRAM} in a folder on the PATH"
         )
     version = subprocess.run([program, "version"], capture_output=True, text=True, check=True)
     strategy = name.removeprefix("cgal-")

@@ -6,18 +6,18 @@
 //   exactsweep-cgal STRATEGY
 //   exactsweep-cgal STRATEGY sum|frame|halves SECONDS [kept|text]
 //
-// A polygon is the number of its rings, and each ring the number of its vertices and their
-// coordinates, all of them words. With a STRATEGY alone, reads lines of two polygons, and answers
-// each with the line of their sum, or one that starts with "error".
+// A polygon consists of the number of rings and, for each ring, the number of vertices and their
+// coordinates, separated by spaces. With only a STRATEGY, the program reads two polygons per line,
+// and answers with their sum in the same form, or with a line that starts with "error".
 //
-// With an operation, reads one pair without holes and times P + Q (sum), or P eroded by -Q, that is,
-// what is left of the plane by (complement of P) + Q. For an erosion CGAL gets the complement as a
-// rectangle with the hole P (frame), or as two simple polygons to the left and to the right of P
-// (halves). Repeats for about SECONDS, at most 100 times, and writes the processor times in
-// milliseconds on one line, the most memory that it has held in kB on the next, and then the outer
-// boundary of the sum, or the one hole of the erosion, a vertex a line. Each run starts from new
-// numbers and ends when all coordinates are exact; with `kept` all runs are on the same polygons,
-// with `text` each reads its numbers from text.
+// With an operation, it reads a pair without holes and times P + Q (sum), or the erosion of P by -Q,
+// the complement of (complement of P) + Q. For an erosion, CGAL gets the complement as a rectangle
+// with the hole P (frame), or as two simple polygons below and above P (halves). It repeats the
+// operation for about SECONDS, at most 100 times, and writes the processor times in milliseconds on
+// one line, the peak memory in kB on the next, and then the outer boundary of the sum, or the only
+// hole of the erosion, one vertex per line. Each run starts from new numbers and ends when all
+// coordinates are exact. With `kept`, all runs use the same polygons; with `text`, each run parses
+// its numbers from text.
 
 #include <CGAL/Boolean_set_operations_2.h>
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
@@ -61,7 +61,7 @@ Numbers read_numbers(std::istream& in) {
     in >> size;
     for (Exact x, y; size > 0 && in >> x >> y; --size) ring.push_back({x, y});
   }
-  if (!in || rings.empty()) throw std::runtime_error("the input is not two polygons");
+  if (!in || rings.empty()) throw std::runtime_error("the input does not contain two polygons");
   return rings;
 }
 
@@ -83,7 +83,7 @@ Region sum_of_polygons(const std::string& strategy, const Polygon& p, const Poly
   if (strategy == "greene") return CGAL::minkowski_sum_2(p, q, Greene());
   if (strategy == "vertical") return CGAL::minkowski_sum_2(p, q, Vertical());
   if (strategy == "triangulation") return CGAL::minkowski_sum_2(p, q, Triangulation());
-  throw std::runtime_error("no strategy " + strategy);
+  throw std::runtime_error("unknown strategy " + strategy);
 }
 
 Region sum_of_regions(const std::string& strategy, const Region& p, const Region& q) {
@@ -92,7 +92,7 @@ Region sum_of_regions(const std::string& strategy, const Region& p, const Region
   if (strategy == "reduced") return CGAL::minkowski_sum_2(p, q);
   if (strategy == "vertical") return CGAL::minkowski_sum_2(p, q, Vertical());
   if (strategy == "triangulation") return CGAL::minkowski_sum_2(p, q, Triangulation());
-  throw std::runtime_error(strategy + " takes no holes");
+  throw std::runtime_error(strategy + " does not support holes");
 }
 
 void write_ring(std::ostream& out, const Polygon& ring, char separator) {
@@ -116,7 +116,7 @@ std::string answer(const std::string& strategy, const std::string& line) try {
   return "error " + text;
 }
 
-// The vertices of P from one vertex up to another, both included, counter-clockwise.
+// The vertices of P from one vertex to another, inclusive, counter-clockwise.
 std::vector<Point> run(const Polygon& p, Polygon::Vertex_const_iterator from,
                        Polygon::Vertex_const_iterator to) {
   std::vector<Point> points;
@@ -132,7 +132,7 @@ Polygon only_hole(const Region& region) {
   return *region.holes_begin();
 }
 
-// The rectangle is so far from P that what the sum does to its boundary stays clear of the result.
+// The rectangle is far from P, so that its enlarged boundary does not reach the result.
 Polygon erode(const std::string& operation, const std::string& strategy, const Polygon& p,
               const Polygon& q) {
   const auto first = p.left_vertex(), last = p.right_vertex();
@@ -145,13 +145,13 @@ Polygon erode(const std::string& operation, const std::string& strategy, const P
     Polygon hole = p;
     hole.reverse_orientation();
     const Region frame(Polygon(corners.begin(), corners.end()), &hole, &hole + 1);
-    // One of the two has a hole: each may be cut by a strategy of its own.
+    // Only one of them has a hole, so they may use different strategies.
     if (strategy == "reduced") return only_hole(CGAL::minkowski_sum_2(frame, q));
     if (strategy == "vertical")
       return only_hole(CGAL::minkowski_sum_2(frame, q, Vertical(), Bisectors()));
     if (strategy == "triangulation")
       return only_hole(CGAL::minkowski_sum_2(frame, q, Triangulation(), Bisectors()));
-    throw std::runtime_error(strategy + " takes no holes");
+    throw std::runtime_error(strategy + " does not support holes");
   }
   const Point left(west, first->y()), right(east, last->y());
   std::vector<Point> below = run(p, first, last), above = run(p, last, first);
@@ -166,7 +166,7 @@ Polygon erode(const std::string& operation, const std::string& strategy, const P
   return only_hole(joined);
 }
 
-// The most memory that this process has held, in kB; 0 where the system does not say.
+// The peak memory of this process in kB; 0 if the system does not report it.
 long peak_memory() {
   std::ifstream status("/proc/self/status");
   for (std::string word; status >> word;) {

@@ -5,7 +5,7 @@ pattern along a path, so it is the sum of two boundaries.
 
 Question: the sum of -G, the pattern, and D, the closed path, scaled to integers, without holes. The
 sum of two boundaries may have false or larger holes. If it has a hole, or a ring touches itself,
-all rings are united with `list_fillings` by the nonzero rule.
+the answer is the union of all rings and `list_fillings` by the nonzero rule.
 """
 
 from __future__ import annotations
@@ -26,7 +26,7 @@ from benchmarks.peers.adapters.adapter import (
 
 
 def adapter(name: str) -> Adapter:
-    """Make the adapter of either; raise ImportError without the package."""
+    """Make the adapter of either program."""
     return _clipper() if name == "pyclipper" else _clipper2()
 
 

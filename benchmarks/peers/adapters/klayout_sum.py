@@ -23,7 +23,6 @@ MOST = 2**30 - 1
 
 
 def adapter(name: str) -> Adapter:
-    """Make the adapter; raise ImportError without the package."""
     import klayout.db as db
 
     def polygon(shape: AskedShape) -> Any:

@@ -53,13 +53,25 @@ def judge(name: str, question: str, chosen: Iterator[Case], seconds: float, fold
 
 @click.command()
 @click.argument("folder", type=click.Path(file_okay=False, path_type=Path))
-@click.option("--each", default=100, show_default=True, help="Generated cases of each family.")
-@click.option("--most", type=int, help="The most vertices of a case of the corpus; not all.")
-@click.option("--only", multiple=True, type=click.Choice(NAMES), help="Not all programs.")
-@click.option("--no-judging", is_flag=True, help="Only write what the folder has already.")
-@click.option("--timeout", "seconds", default=10.0, show_default=True, help="For one answer.")
 @click.option(
-    "--page", type=click.Path(path_type=Path, dir_okay=False), help="A file, not standard output."
+    "--each", default=100, show_default=True, help="Number of generated cases per family."
+)
+@click.option("--most", type=int, help="Skip cases of the corpus with more vertices.")
+@click.option(
+    "--only", multiple=True, type=click.Choice(NAMES), help="Judge only this program. (repeatable)"
+)
+@click.option(
+    "--no-judging", is_flag=True, help="Only write the page from the journals in the folder."
+)
+@click.option(
+    "--timeout",
+    "seconds",
+    default=10.0,
+    show_default=True,
+    help="Time limit of an answer in seconds.",
+)
+@click.option(
+    "--page", type=click.Path(path_type=Path, dir_okay=False), help="Write the page to a file."
 )
 def main(
     folder: Path,

@@ -1,18 +1,18 @@
-// No-fit polygons by SVGnest or Deepnest, from their own source, a pair a line.
+// No-fit polygons by SVGnest or Deepnest, from their own source, one pair per line.
 //
 //   node nest.js svgnest orbit|clipper FOLDER
 //   node nest.js deepnest clipper FOLDER
 //
-// Reads a line: "trajectory", "no_fit" or "inner_fit"; the number of rings of the one polygon, and
-// each ring as the number of its vertices and their coordinates; the same of the other one. Answers
-// with the number of rings and the rings in the same form, or with a line that starts with "error".
+// A line of input contains "trajectory", "no_fit" or "inner_fit", and both polygons: the number of
+// rings and, for each ring, the number of vertices and their coordinates. The answer is the number
+// of rings and the rings in the same form, or a line that starts with "error".
 'use strict';
 const fs = require('fs');
 const path = require('path');
 const readline = require('readline');
 const vm = require('vm');
 
-const [project, way, folder] = process.argv.slice(2);
+const [project, method, folder] = process.argv.slice(2);
 const quiet = () => {};
 const world = { console: { log: quiet, time: quiet, timeEnd: quiet, warn: quiet }, alert: quiet };
 world.window = world.self = world.global = world;
@@ -24,16 +24,16 @@ function run(file, text) {
   vm.runInContext(source, world, { filename: file });
 }
 
-// A function that is declared inside another one, as its source has it.
+// Return the source of a nested function.
 function extract(source, name) {
   const start = source.indexOf(`function ${name}(`);
-  if (start < 0) throw new Error(`no function ${name}`);
+  if (start < 0) throw new Error(`no function ${name} in the source`);
   let depth = 0;
   for (let k = source.indexOf('{', start); k < source.length; k++) {
     if (source[k] === '{') depth++;
     if (source[k] === '}' && --depth === 0) return source.slice(start, k + 1);
   }
-  throw new Error(`${name} does not end`);
+  throw new Error(`unbalanced braces in ${name}`);
 }
 
 if (project === 'svgnest') {
@@ -41,7 +41,7 @@ if (project === 'svgnest') {
   run('util/geometryutil.js');
   const source = fs.readFileSync(path.join(folder, 'svgnest.js'), 'utf8');
   for (const name of ['toClipperCoordinates', 'toNestCoordinates', 'minkowskiDifference']) {
-    // Of those with one name the last is the one beside minkowskiDifference.
+    // Several functions have these names; use those near minkowskiDifference.
     run(name, extract(source.slice(source.indexOf('p.map(function(pair)')), name));
   }
 } else {
@@ -65,7 +65,7 @@ function orbit(part, d, g) {
   if (!found || !found.length) throw new Error('no answer');
   const rings = [...found];
   for (const hole of holes) {
-    // Inside it wants the orientation of a bin, and holes run clockwise here.
+    // A hole needs the orientation of a container; holes are clockwise here.
     rings.push(...(geometry.noFitPolygon(hole.reverse(), g, true, true) || []));
   }
   return rings;
@@ -81,7 +81,7 @@ function answer(line) {
   const d = shape();
   const [g] = shape();
   let rings;
-  if (way === 'orbit') rings = orbit(part, d, g);
+  if (method === 'orbit') rings = orbit(part, d, g);
   else if (project === 'svgnest') rings = world.minkowskiDifference(d[0], g);
   else rings = [world.getOuterNfp(d[0], g, false)];
   if (!rings || !rings[0] && part !== 'inner_fit') throw new Error('no answer');

@@ -25,7 +25,7 @@ SOURCES = {"svgnest": "svgnest.js", "deepnest": "main/background.js"}
 
 
 def adapter(name: str) -> Adapter:
-    """Make the adapter of either; raise MissingError without node or the source."""
+    """Make the adapter of either program."""
     project = name.partition("-")[0]
     version, program = start(project, "clipper")
 
@@ -40,11 +40,7 @@ def adapter(name: str) -> Adapter:
 
 
 def start(project: str, way: str) -> tuple[str, Program]:
-    """Return a short digest of a project's source as its version, and the program that runs it.
-
-    Raises:
-        MissingError: node or the source is missing.
-    """
+    """Return a digest of a project's source as its version, and the program that runs it."""
     variable, source = f"EXACTSWEEP_{project.upper()}", SOURCES[project]
     node, folder = find_node(project, variable, source, "the folder of its source")
     digest = hashlib.sha256(Path(folder, source).read_bytes()).hexdigest()[:8]

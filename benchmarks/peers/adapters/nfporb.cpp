@@ -1,10 +1,9 @@
-// No-fit polygons of pairs of polygons with libnfporb, whose header the user gives, a pair a line.
-// Numbers are long doubles or, where LIBNFP_USE_RATIONAL is defined, rationals.
+// No-fit polygons of pairs of polygons with libnfporb, whose header the user provides, one pair per
+// line. Numbers are long doubles or, if LIBNFP_USE_RATIONAL is defined, rationals.
 //
-// Reads, for each pair, one line: the number of rings of the one polygon, its exterior and its holes,
-// each as the number of its vertices and their coordinates; then the same of the other one. Answers
-// with one line: the number of rings, then each ring, as the number of its vertices and their
-// coordinates; or a line that starts with "error".
+// A line of input contains two polygons: the number of rings, then the exterior and the holes, each
+// as the number of vertices and their coordinates. The answer is the number of rings and the rings in
+// the same form, or a line that starts with "error".
 
 #include <fstream>
 #include <iomanip>
@@ -35,7 +34,7 @@ Polygon::ring_type read_ring(std::istream& in) {
   Polygon::ring_type ring;
   for (std::string x, y; size > 0 && in >> x >> y; --size)
     ring.push_back({read_number(x), read_number(y)});
-  if (!in || ring.empty()) throw std::runtime_error("the line is not two polygons");
+  if (!in || ring.empty()) throw std::runtime_error("the line does not contain two polygons");
   ring.push_back(ring.front());
   return ring;
 }

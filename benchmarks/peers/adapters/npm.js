@@ -1,10 +1,10 @@
-// Minkowski sums by packages of npm, a pair a line.
+// Minkowski sums by npm packages, one pair per line.
 //
 //   node npm.js PACKAGE FOLDER
 //
-// FOLDER has node_modules. Reads a line: the numbers of vertices of two polygons, each followed by
-// their coordinates. Answers with the number of rings of the sum and the rings in the same form, or
-// with a line that starts with "error".
+// FOLDER contains node_modules. A line of input contains two polygons, each as the number of
+// vertices and their coordinates. The answer is the number of rings of the sum and the rings in the
+// same form, or a line that starts with "error".
 'use strict';
 const path = require('path');
 const readline = require('readline');
@@ -19,10 +19,10 @@ const doubledArea = (ring) => ring.reduce((sum, [x, y], k) => {
   return sum + x * v - u * y;
 }, 0);
 
-// What fills the sum of two boundaries up to that of the polygons.
+// Shapes whose union with the sum of two boundaries is the sum of the polygons.
 const fillings = (d, g) => [move(d, g[0]), move(g, d[0])];
 
-// The sum of two boundaries, filled where it has a hole, or a ring that may hide one.
+// Fill the sum of two boundaries if it has a hole, or a ring that may hide one.
 function fill(d, g, sum, unite) {
   const rings = sum.map(pairs);
   const isPlain = (ring) => doubledArea(ring) > 0 && new Set(ring.map(String)).size === ring.length;
@@ -55,7 +55,7 @@ async function load() {
   };
 }
 
-// The corners of a convex polygon, which come in no order, counter-clockwise.
+// Sort the corners of a convex polygon counter-clockwise.
 function goAround(corners) {
   const [x, y] = [0, 1].map((k) => corners.reduce((sum, p) => sum + p[k], 0) / corners.length);
   const angle = new Map(corners.map((p) => [p, Math.atan2(p[1] - y, p[0] - x)]));

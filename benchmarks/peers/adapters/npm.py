@@ -2,14 +2,14 @@
 
 Promise: clipper2-ts and js-angusj-clipper are Clipper2 and Clipper on integers within doubles;
 crossings are rounded to integers. polygon-clipping computes unions of doubles with exact
-predicates. convex-minkowski-sum takes convex polygons.
+predicates. convex-minkowski-sum accepts convex polygons.
 
-Questions: `minkowskiSum` of -G and D by the two Clippers, scaled to integers, united with
+Questions: `minkowskiSum` of -G and D by the two Clippers, scaled to integers, together with
 `list_fillings` if it has a hole or a ring touches itself; the union of the sums of all pairs of
 edges, and of `list_fillings`, by polygon-clipping; and the vertices of convex-minkowski-sum, which
 `npm.js` sorts.
 
-The environment variable EXACTSWEEP_NPM names the folder with the packages; `package.json` has the
+The environment variable EXACTSWEEP_NPM names the folder with the packages; `package.json` lists the
 judged versions.
 """
 
@@ -32,9 +32,8 @@ MOST = 2**53 - 1
 
 
 def adapter(name: str) -> Adapter:
-    """Make the adapter of a package; raise MissingError without node or the package."""
     package = f"node_modules/{name}/package.json"
-    what = f"a folder in which npm has installed {SCRIPT.with_name('package.json')}"
+    what = f"a folder with the installed packages of {SCRIPT.with_name('package.json')}"
     node, folder = find_node(name, "EXACTSWEEP_NPM", package, what)
     version = json.loads(Path(folder, package).read_text(encoding="utf-8"))["version"]
     running = Program([node, str(SCRIPT), name, str(folder)])

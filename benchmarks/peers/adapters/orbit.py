@@ -1,8 +1,8 @@
 """libnfporb and SVGnest: orbiting programs, which move G around D from contact to contact.
 
-Promise: libnfporb finds holes of D, caves, interlocking and perfect fits, with long doubles and a
-tolerance of 10^-8, or with rationals; SVGnest uses doubles and a tolerance of 10^-9. Both ignore
-holes of G.
+Promise: libnfporb supports holes of D, cavities, interlocking and perfect fits, with long doubles
+and a tolerance of 10^-8, or with rationals; SVGnest uses doubles and a tolerance of 10^-9. Both
+ignore holes of G.
 
 Questions: `generate_nfp(D, G)` of libnfporb; `noFitPolygon` of SVGnest with all edges searched,
 also for each hole of D, and for inner fits `noFitPolygonRectangle` in rectangles and `noFitPolygon`
@@ -27,7 +27,7 @@ from exactsweep.conform.run.protocol import Hello, Numbers, Question
 
 
 def adapter(name: str) -> Adapter:
-    """Make the adapter of either; raise MissingError without the program."""
+    """Make the adapter of either program."""
     numbers: Numbers = "binary64"
     questions: tuple[Question, ...] = ("no_fit",)
     if is_svgnest := name == "svgnest-orbit":
@@ -39,7 +39,7 @@ def adapter(name: str) -> Adapter:
             numbers, title, command = "rational", "libnfporb, rational", f"{command}-rational"
         found = which(command)
         if found is None:
-            raise MissingError(f"{name} is not installed: no program {command}, see nfporb.cpp")
+            raise MissingError(f"{name} is not installed: compile nfporb.cpp as {command}")
         program = Program([found])
 
     def ask(part: str, directrix: AskedShape, generatrix: AskedShape) -> dict[str, Any]:

@@ -23,6 +23,7 @@ _ASKED = {
     "inner_fit": "inside a container",
 }
 
+# The columns, each with its classes and flags.
 COLUMNS = {
     "convex": ("CC",),
     "monotone": ("CM", "MM"),
@@ -33,7 +34,6 @@ COLUMNS = {
     "thin": ("sliver",),
     "beyond 2^53": ("huge",),
 }
-"""The columns, each with its classes and flags."""
 INSIDE = "inside a container"
 HEAD = """# Exactness of other programs
 
@@ -46,8 +46,8 @@ program. [Other programs](README.md) lists the questions to each.
 FAILURES = """
 ## All verdicts
 
-The last column names the smallest case that the program gets wrong: `exactsweep corpus show
-ID` prints it.
+The last column has the id of the smallest case that the program answers incorrectly;
+`exactsweep corpus show ID` prints it.
 
 """
 

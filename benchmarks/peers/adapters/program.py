@@ -1,7 +1,7 @@
 """Programs that read and write shapes, one per line, as words separated by spaces.
 
-A shape has the number of rings, and for each ring the number of vertices and their coordinates. An
-answer is a shape, or starts with "error".
+A shape consists of the number of rings and, for each ring, the number of vertices and their
+coordinates. An answer is a shape, or starts with "error".
 """
 
 from __future__ import annotations
@@ -30,11 +30,7 @@ class Program:
         self._channel: Channel | None = None
 
     def ask(self, line: str) -> list[list[tuple[str, str]]]:
-        """Send a line, and read the rings of the answer.
-
-        Raises:
-            ProgramError: the program exits or reports an error.
-        """
+        """Send a line, and read the rings of the answer."""
         self._channel = self._channel or Channel(self._command)
         self._channel.send(line)
         try:
@@ -51,26 +47,20 @@ class Program:
         ]
 
     def close(self) -> None:
-        """End the program."""
         if self._channel is not None:
             self._channel.kill()
             self._channel = None
 
 
 def find_node(name: str, variable: str, file: str, what: str) -> tuple[str, Path]:
-    """Find node, and the folder with a file that an environment variable names.
-
-    Raises:
-        MissingError: node or the folder is missing.
-    """
+    """Find node, and a folder that an environment variable names and that contains a file."""
     node, folder = which("node"), os.environ.get(variable)
     if not (node and folder and Path(folder, file).is_file()):
-        raise MissingError(f"{name} needs node, and {variable} for {what}")
+        raise MissingError(f"{name} needs node, and the variable {variable} must name {what}")
     return node, Path(folder)
 
 
 def write_fraction(value: object) -> str:
-    """Write a number as a fraction."""
     return format_fraction(to_fraction(value))
 
 
@@ -84,5 +74,4 @@ def write_shape(shape: AskedShape, write: Callable[[object], str] = write_fracti
 
 
 def write_ring(ring: AskedRing, write: Callable[[object], str]) -> str:
-    """Write a ring as words."""
     return " ".join([str(len(ring)), *(write(c) for point in ring for c in point)])

@@ -25,7 +25,6 @@ _RING = re.compile(r"\(([^()]+)\)")
 
 
 def adapter(name: str) -> Adapter:
-    """Make the adapter; raise ImportError without the package."""
     import pysfcgal  # noqa: F401
 
     return sum_adapter(f"pysfcgal {version('pysfcgal')}", "rational", _add_either, shapes="any")

@@ -1,10 +1,10 @@
 """Minkowski sums by shapely and GEOS: unions of sums of triangles.
 
-Promise: doubles; new vertices of a union are rounded. GEOS' OverlayNG returns valid polygons. It
-has no Minkowski sum: this is the usual recipe.
+Promise: doubles; new vertices of a union are rounded. OverlayNG in GEOS returns valid polygons. It
+has no Minkowski sum; this is the usual substitute.
 
-Question: D and -G are cut into triangles by `constrained_delaunay_triangles`. The sum of two
-triangles is the convex hull of the sums of their vertices. `union_all` unites the hulls.
+Question: D and -G are triangulated by `constrained_delaunay_triangles`. The sum of two triangles is
+the convex hull of the sums of their vertices. `union_all` unites the hulls.
 """
 
 from __future__ import annotations
@@ -13,7 +13,6 @@ from benchmarks.peers.adapters.adapter import Adapter, AnsweredRings, AskedShape
 
 
 def adapter(name: str) -> Adapter:
-    """Make the adapter; raise ImportError without the package."""
     import numpy as np
     import shapely
 
