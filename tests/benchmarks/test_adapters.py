@@ -188,7 +188,7 @@ def test_a_program_gets_its_own_questions() -> None:
     holed = Case.of("holed", "", BOX, BOX, directrix_holes=[[(1, 1), (2, 1), (1, 2)]])
     outcome = judge_case(CallablePeer(adapter.answer, adapter.hello), holed)
     assert outcome.verdict is Verdict.UNSUPPORTED
-    assert outcome.reason == "not asked: the program takes simple pairs only"
+    assert outcome.reason == "skipped: the program accepts only simple pairs"
 
 
 def test_a_sum_of_boundaries_is_filled_where_the_polygons_fill_it() -> None:
@@ -219,7 +219,7 @@ def test_the_source_of_nesting_programs_is_the_user_s(
         ):
             load(name)
     monkeypatch.setenv("PATH", str(tmp_path))
-    with pytest.raises(MissingError, match="compile nfporb.cpp as exactsweep-nfporb-rational"):
+    with pytest.raises(MissingError, match="as exactsweep-nfporb-rational"):
         load("libnfporb-rational")
 
 
