@@ -1,6 +1,6 @@
 (* Gaps between pieces: a normal proves that two pieces are disjoint and at a distance. *)
 Require Import ZArith Lia List Bool.
-From Exactsweep Require Import Cancel Constant Fans Pieces Solid.
+From Exactsweep Require Import Cancel Constant Fans Pieces Convex Solid.
 Import ListNotations.
 Open Scope Z_scope.
 
@@ -83,9 +83,14 @@ Definition apart (p q : ring) : bool :=
 Lemma apart_spec p q : apart p q = true -> exists n, far 0 n p q = true.
 Proof. unfold apart. intro H. apply some_exists in H as (n & _ & H). exists n. exact H. Qed.
 
-(* Pieces make up a shape: fans, at least one, that cancel to its rings and are apart from each other. *)
+(* Pieces make up a shape: convex, at least one, that cancel to its rings and are apart from each other. *)
 Definition simple_solid (s : solid) : bool :=
   is_solid s && negb (match pieces s with [] => true | _ => false end) && all_pairs apart (pieces s).
+Lemma simple_convex s p : simple_solid s = true -> In p (pieces s) -> is_convex p = true.
+Proof.
+  unfold simple_solid, is_solid. intros H. apply andb_prop in H as (H & _). apply andb_prop in H as (H & _). apply andb_prop in H as (H & _).
+  rewrite forallb_forall in H. apply H.
+Qed.
 Lemma simple_spec s : simple_solid s = true ->
   is_solid s = true /\ fans (pieces s) /\ (exists p, In p (pieces s)) /\
   forall k z, 0 < k -> W k (rings s) z = 0 \/ W k (rings s) z = 1.

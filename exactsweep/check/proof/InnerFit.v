@@ -1,7 +1,7 @@
 (* The checker of inner fits, and its theorem. The part leaves the frame at the positions of four half-planes; it
    leaves the container at these and at the sums of a piece outside the container and a piece of the part. *)
 Require Import QArith Lqa ZArith Lia List Bool Permutation.
-From Exactsweep Require Import Cancel Constant Fans Pieces Solid Gaps Scaling.
+From Exactsweep Require Import Cancel Constant Fans Pieces Convex Solid Gaps Scaling.
 From Exactsweep Require Statements.
 From Exactsweep Require Import HalfOpen Nearby Boundary SumPoints PiecePoints Covers Spans Sums SumsSound Pairs.
 Import ListNotations.
@@ -156,7 +156,7 @@ Definition check_inner_fit : bool :=
   cancel (flat_map edges (outside c) ++ flat_map edges (int_rings (Zpos N) C)) (edges (box_ring fl fb fr ft)) &&
   simple_solid solid_G &&
   forallb (fun e => in_box (fst e) && in_box (snd e)) segments &&
-  forallb is_convex (outside c) && forallb is_convex (part c) &&
+  forallb is_convex (outside c) &&
   Sums.boundary (outside c) (map turned (part c)) beyond_box loops (map (int_edge N) fits) (listed_sums c) (around c) 0.
 
 Section Accepted.
@@ -527,7 +527,7 @@ End Accepted.
 Theorem inner_fit_sound : check_inner_fit = true -> Statements.inner_fit_claim C G regions fits.
 Proof.
   unfold check_inner_fit. intro H. repeat match type of H with _ && _ = true => let X := fresh "X" in apply andb_prop in H as (H & X) end.
-  rewrite forallb_forall in X0, X1, X2. apply Z.ltb_lt in X5, X6, X7, X8.
-  apply accepted; try assumption. intros e I. specialize (X2 e I). apply andb_prop in X2. exact X2.
+  rewrite forallb_forall in X0, X1. apply Z.ltb_lt in X4, X5, X6, X7.
+  apply accepted; try assumption; [|exact (fun Q => simple_convex solid_G Q X2)]. intros e I. specialize (X1 e I). apply andb_prop in X1. exact X1.
 Qed.
 End Data.

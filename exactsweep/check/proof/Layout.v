@@ -1,6 +1,6 @@
 (* The checker of layouts, and its theorem: accepted layouts are valid. *)
 Require Import QArith Lqa ZArith Lia List Bool.
-From Exactsweep Require Import Cancel Constant Fans Pieces Solid Gaps Scaling.
+From Exactsweep Require Import Cancel Constant Fans Pieces Convex Solid Gaps Scaling.
 From Exactsweep Require Statements.
 From Exactsweep Require Import HalfOpen Nearby Boundary SumPoints PiecePoints Covers Spans Sums Pairs Near Depth Hull.
 Import ListNotations.
@@ -109,7 +109,7 @@ Definition check_sheet (f : Statements.figure) (d : Z) (l : list (nat * item)) :
   | [], [(p :: ps, r)] => is_amount D r && forallb (fun x => in_rounded (d + e) (p :: ps) (int D r) (snd x)) l
   | _, [] =>
       let '(x0, y0, x1, y1) := frame c in let out := make_item (map (fun p => (p, 0)) (outside_pieces c)) e in
-      (x0 <? x1) && (y0 <? y1) && all_integral D rs && forallb is_fan (outside_pieces c) &&
+      (x0 <? x1) && (y0 <? y1) && all_integral D rs && forallb is_convex (outside_pieces c) &&
       cancel (flat_map edges (outside_pieces c) ++ flat_map edges (int_rings D rs)) (edges (box_ring x0 y0 x1 y1)) &&
       forallb (fun x => within_frame (d + e) (frame c) (snd x) && is_apart d (fun i j => outside_normals (-1) i (fst x) j) out (snd x)) l
   | _, _ => false
@@ -530,7 +530,7 @@ Proof.
 Qed.
 Lemma rings_keep f x d : (0 <= d)%Z -> Statements.rounded f = [] -> sound x -> forall normals',
   (let '(x0, y0, x1, y1) := frame c in let e := int (Zpos N) (Statements.error f) in let out := make_item (map (fun p => (p, 0%Z)) (outside_pieces c)) e in
-    is_amount (Zpos N) (Statements.error f) && ((x0 <? x1)%Z && (y0 <? y1)%Z && all_integral (Zpos N) (Statements.outline f) && forallb is_fan (outside_pieces c) &&
+    is_amount (Zpos N) (Statements.error f) && ((x0 <? x1)%Z && (y0 <? y1)%Z && all_integral (Zpos N) (Statements.outline f) && forallb is_convex (outside_pieces c) &&
     cancel (flat_map edges (outside_pieces c) ++ flat_map edges (int_rings (Zpos N) (Statements.outline f))) (edges (box_ring x0 y0 x1 y1))) &&
     (within_frame (d + e) (frame c) x && is_apart d normals' out x)) = true -> is_kept d f x.
 Proof.
@@ -538,7 +538,7 @@ Proof.
   set (C := Statements.outline f) in *. set (e := Statements.error f) in *.
   apply andb_prop in H as (H & W). apply andb_prop in W as (Wf & Ap). apply andb_prop in H as (Ae & H).
   apply andb_prop in H as (H & X0). apply andb_prop in H as (H & X1). apply andb_prop in H as (H & X2). apply andb_prop in H as (Hs & X4).
-  rewrite forallb_forall in X1. apply Z.ltb_lt in Hs, X4.
+  rewrite forallb_forall in X1. pose proof (fun p I => is_convex_fan p (X1 p I)) as FX. apply Z.ltb_lt in Hs, X4.
   destruct (amount_spec N _ Ae) as (E0 & E1). set (out := make_item _ _) in Ap.
   assert (So' : sound out) by (apply flat_sound, E0). apply keeps_sym.
   set (base := map (region_of N) (parts out) ++ map (fun h => (beyond_plane N h, 0)) (planes (x0, y0, x1, y1))).
@@ -552,12 +552,12 @@ Proof.
     + apply frac_nonneg, E0.
     + intros p Ip. apply in_app_or in Ip as [Ip|Ip]; apply in_map_iff in Ip as (q & <- & Iq); cbn [snd region_of]; [|lra].
       destruct So' as (_ & _ & So'). apply frac_nonneg, So', Iq.
-    + intros y Ny Ky. apply Ny. left. apply (frame_inside N x0 y0 x1 y1 C (outside_pieces c) X2 Hs X4 X1 X0).
+    + intros y Ny Ky. apply Ny. left. apply (frame_inside N x0 y0 x1 y1 C (outside_pieces c) X2 Hs X4 FX X0).
       * intros h Ih Bh. apply (Ky (beyond_plane N h, 0)); [apply in_or_app; right; exact (in_map (fun h => (beyond_plane N h, 0)) _ h Ih)|].
         apply within_self; [cbn; lra|exact Bh].
       * intros P IP Wp. apply (Ky (region_of N (P, 0%Z))).
         -- apply in_or_app. left. apply in_map. unfold out, make_item. cbn [parts]. exact (in_map (fun p => (p, 0%Z)) _ P IP).
-        -- apply within_self; [apply frac_nonneg; cbn; lia|]. apply piece_core; [apply X1, IP|exact Wp].
+        -- apply within_self; [apply frac_nonneg; cbn; lia|]. apply piece_core; [apply FX, IP|exact Wp].
     + intros t Dd. apply (K z Uz). fold e. rewrite E1. exact Dd.
   - exact Cov.
   - intros p' q' Ip Iq. apply in_map_iff in Ip as (p & <- & Ip). apply in_app_or in Ip as [Ip|Ip].
@@ -577,7 +577,7 @@ Proof.
   unfold check_sheet. cbv zeta. intros H D0 I Sx Ne. apply andb_prop in H as (Ae & H). fold N in Ae, H.
   assert (G : Statements.rounded f = [] -> (let '(x0, y0, x1, y1) := frame c in
       let out := make_item (map (fun p : ring => (p, 0%Z)) (outside_pieces c)) (int (Zpos N) (Statements.error f)) in
-      (x0 <? x1)%Z && (y0 <? y1)%Z && all_integral (Zpos N) (Statements.outline f) && forallb is_fan (outside_pieces c) &&
+      (x0 <? x1)%Z && (y0 <? y1)%Z && all_integral (Zpos N) (Statements.outline f) && forallb is_convex (outside_pieces c) &&
       cancel (flat_map edges (outside_pieces c) ++ flat_map edges (int_rings (Zpos N) (Statements.outline f))) (edges (box_ring x0 y0 x1 y1)) &&
       forallb (fun x => within_frame (d + int (Zpos N) (Statements.error f)) (frame c) (snd x) && is_apart d (fun i j => outside_normals (-1) i (fst x) j) out (snd x)) l') = true -> is_kept d f x).
   { intros Ro H'. apply (rings_keep f x d D0 Ro Sx (fun a b => outside_normals (-1) a i b)). cbv zeta. destruct (frame c) as [[[x0 y0] x1] y1] eqn:Fr.

@@ -1,6 +1,6 @@
 (* The checker of no-fit polygons, and its theorem. *)
 Require Import QArith Lqa ZArith Lia List Bool.
-From Exactsweep Require Import Cancel Constant Fans Pieces Solid Gaps Scaling.
+From Exactsweep Require Import Cancel Constant Fans Pieces Convex Solid Gaps Scaling.
 From Exactsweep Require Statements.
 From Exactsweep Require Import HalfOpen Nearby Boundary SumPoints PiecePoints Covers Spans Sums SumsSound Pairs.
 Import ListNotations.
@@ -19,7 +19,7 @@ Definition solid_G : solid := {| rings := int_rings (Zpos N) G; pieces := moving
 
 Definition check_no_fit : bool :=
   all_integral (Zpos N) D && all_integral (Zpos N) G && all_integral (Zpos N) loops && forallb (integral_edge N) fits &&
-  simple_solid solid_D && simple_solid solid_G && forallb is_convex (still c) && forallb is_convex (moving c) &&
+  simple_solid solid_D && simple_solid solid_G &&
   Sums.boundary (still c) (map turned (moving c)) [] (int_rings (Zpos N) loops) (map (int_edge N) fits) (listed_sums c) [] 1.
 
 Section Accepted.
@@ -57,7 +57,9 @@ End Accepted.
 Theorem no_fit_sound : check_no_fit = true -> Statements.no_fit_claim D G loops fits.
 Proof.
   unfold check_no_fit. intro H. repeat match type of H with _ && _ = true => let X := fresh "X" in apply andb_prop in H as (H & X) end.
-  rewrite forallb_forall in X0, X1. destruct (boundary_parts _ _ _ _ _ _ _ _ X) as (B1 & B2 & B3 & B4 & B5 & B6 & B7 & B8).
+  rename X4 into X6, X3 into X5, X2 into X4, X1 into X3, X0 into X2.
+  pose proof (fun P => simple_convex solid_D P X3 : In P (still c) -> is_convex P = true) as X1.
+  pose proof (fun P => simple_convex solid_G P X2 : In P (moving c) -> is_convex P = true) as X0. destruct (boundary_parts _ _ _ _ _ _ _ _ X) as (B1 & B2 & B3 & B4 & B5 & B6 & B7 & B8).
   pose proof (overlaps_iff H X6 X3 X2) as Ov.
   assert (Bd : forall P Q n t, In P (still c) -> In Q (map turned (moving c)) -> n <> (0, 0)%Z -> at_sum P Q t ->
     qdot n t * inject_Z (Zpos N) < inject_Z (most n P + most n Q)).
@@ -117,7 +119,9 @@ Theorem no_fit_contact : check_no_fit = true -> forall t, Statements.on_any (fla
   exists z, Statements.closure (Statements.inside D) z /\ Statements.closure (Statements.inside (Statements.translate t G)) z.
 Proof.
   unfold check_no_fit. intro H. repeat match type of H with _ && _ = true => let X := fresh "X" in apply andb_prop in H as (H & X) end.
-  rewrite forallb_forall in X0, X1. destruct (boundary_parts _ _ _ _ _ _ _ _ X) as (B1 & B2 & B3 & B4 & B5 & B6 & B7 & B8).
+  rename X4 into X6, X3 into X5, X2 into X4, X1 into X3, X0 into X2.
+  pose proof (fun P => simple_convex solid_D P X3 : In P (still c) -> is_convex P = true) as X1.
+  pose proof (fun P => simple_convex solid_G P X2 : In P (moving c) -> is_convex P = true) as X0. destruct (boundary_parts _ _ _ _ _ _ _ _ X) as (B1 & B2 & B3 & B4 & B5 & B6 & B7 & B8).
   intros t K. rewrite (known_meet N loops fits t X5 X4) in K.
   destruct (boundary_contact N (still c) (map turned (moving c)) [] (int_rings (Zpos N) loops) (map (int_edge N) fits) (listed_sums c) []) with (t := t)
     as (P & Q & a & b & u & v & s & IP & IQ & Ia & Ib & Iu & Iv & Hs & Tx & Ty); try assumption; try reflexivity.

@@ -1,6 +1,6 @@
 (* Common points of two pieces, one of them translated; pieces of shapes. *)
 Require Import QArith Lqa ZArith Lia List Bool.
-From Exactsweep Require Import Cancel Constant Fans Pieces Solid Gaps Scaling.
+From Exactsweep Require Import Cancel Constant Fans Pieces Convex Solid Gaps Scaling.
 From Exactsweep Require Statements.
 From Exactsweep Require Import HalfOpen Nearby Boundary SumPoints PiecePoints Covers Spans Sums.
 Import ListNotations.
@@ -143,7 +143,7 @@ Proof.
   destruct (sum_overlaps (qring N P) (qring N (turned H)) pairs _ _ t LP LH A B) as (z & w & Z & W & X & Y).
   - intros x Ix. apply in_map_iff in Ix as (y & <- & Iy). cbn [fst snd]. apply add_in in Iy as (I1 & I2).
     split; [exact (in_map (qpt N) _ _ I1)|exact (in_map (qpt N) _ _ (in_map opposite _ _ I2))].
-  - unfold sum_sides in I. rewrite ring_sides in I. revert I. apply inS_meet. unfold pairs, qring. rewrite !map_map.
+  - unfold sum_sides, sum_vertices in I. rewrite ring_sides in I. revert I. apply inS_meet. unfold pairs, qring. rewrite !map_map.
     generalize (add P H). clear. intro l. induction l as [|x l IH]; [constructor|]. cbn [map]. constructor; [|exact IH].
     unfold meets_at, corner, qpt, plus, opposite. cbn [fst snd]. split; unfold Qeq, Qminus, Qplus, Qopp; cbn [Qnum Qden]; rewrite !Pos2Z.inj_mul; ring.
   - unfold pairs. destruct (add P H); [contradiction|discriminate].

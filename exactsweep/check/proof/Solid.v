@@ -2,7 +2,7 @@
    The rational point (x / k, y / k) is z = (x, y) with all vertices multiplied by k; statements for all k > 0 and z hold
    at all rational points. *)
 Require Import ZArith Lia List Bool Permutation Orders Mergesort.
-From Exactsweep Require Import Cancel Constant Fans Pieces.
+From Exactsweep Require Import Cancel Constant Fans Pieces Convex.
 Import ListNotations.
 Open Scope Z_scope.
 
@@ -186,7 +186,7 @@ Qed.
 (* Solids *)
 Record solid := { rings : list ring; pieces : list ring }.
 Definition is_solid (s : solid) : bool :=
-  forallb is_fan (pieces s) && cancel (flat_map edges (pieces s)) (flat_map edges (rings s)).
+  forallb is_convex (pieces s) && cancel (flat_map edges (pieces s)) (flat_map edges (rings s)).
 
 Fixpoint count (k : Z) (ps : list ring) (z : pt) : Z :=
   match ps with [] => 0 | p :: r => ring_wind (map (grow k) p) z + count k r z end.
@@ -202,7 +202,7 @@ Qed.
 
 Definition fans (ps : list ring) : Prop := forall p, In p ps -> is_fan p = true.
 Lemma solid_fans s : is_solid s = true -> fans (pieces s).
-Proof. unfold is_solid. intro H. apply andb_prop in H as (H & _). rewrite forallb_forall in H. exact H. Qed.
+Proof. intros H p I. apply is_convex_fan. unfold is_solid in H. apply andb_prop in H as (H & _). rewrite forallb_forall in H. exact (H p I). Qed.
 
 Lemma count_some k ps z : 0 < k -> fans ps ->
   0 <= count k ps z /\ (1 <= count k ps z -> exists p, In p ps /\ ring_wind (map (grow k) p) z = 1).

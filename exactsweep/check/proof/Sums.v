@@ -2,7 +2,7 @@
    or segments, H a list of convex pieces; a sum is the interior of the Minkowski sum of one of D and one of H. Vertices
    are integers, at a common denominator N. *)
 Require Import QArith Lqa ZArith Lia List Bool.
-From Exactsweep Require Import Cancel Constant Fans Pieces Solid Gaps Scaling.
+From Exactsweep Require Import Cancel Constant Fans Pieces Convex Solid Gaps Scaling.
 From Exactsweep Require Statements.
 From Exactsweep Require Import HalfOpen Nearby Boundary SumPoints PiecePoints Covers Spans.
 Import ListNotations.
@@ -40,25 +40,13 @@ Definition add (one other : ring) : list (pt * pt) :=
   | p :: _, q :: _ => add_from (length one + length other) p q (edges one) (edges other)
   | _, _ => []
   end.
-Definition sum_sides (one other : ring) : list edge := edges (map (fun x => plus (fst x) (snd x)) (add one other)).
-
-(* A convex polygon by its sides: each has a predecessor and a successor, with left turns, and all are left of all. *)
-Definition is_convex_sum (S : list edge) : bool :=
-  forallb (fun f =>
-    existsb (fun g => same (snd g) (fst f) && (0 <? det (fst g) (snd g) (snd f))) S &&
-    existsb (fun g => same (fst g) (snd f) && (0 <? det (fst g) (snd g) (fst f))) S &&
-    forallb (fun g =>
-      let a := det (fst g) (snd g) (fst f) in let b := det (fst g) (snd g) (snd f) in
-      (0 <=? a) && (0 <=? b) &&
-      ((0 <? a) || (0 <? b) || (snd (snd g) - snd (fst g) =? snd (snd f) - snd (fst f)))) S) S.
+Definition sum_vertices (one other : ring) : ring := map (fun x => plus (fst x) (snd x)) (add one other).
+Definition sum_sides (one other : ring) : list edge := edges (sum_vertices one other).
 
 (* Three times a point inside a piece, or of a segment *)
 Definition center (r : ring) : pt :=
   match r with p :: q :: s :: _ => plus (plus p q) s | p :: _ => grow 3 p | [] => (0, 0) end.
 Definition left_of (z : pt) (f : edge) : bool := 0 <? det (grow 3 (fst f)) (grow 3 (snd f)) z.
-Definition is_convex (r : ring) : bool :=
-  is_fan r && forallb (left_of (center r)) (edges r) &&
-  forallb (fun f => forallb (fun v => 0 <=? det (fst f) (snd f) v) r) (edges r).
 
 (* A line separates a sum from a segment. *)
 Definition most (n : pt) (r : ring) : Z := match r with v :: vs => max_dot n v vs | [] => 0 end.
@@ -126,7 +114,7 @@ Definition is_clear (one other : ring) : bool :=
   (let found := bounds one other in forallb (clear one other found) known).
 Definition is_sum (k : nat) : bool :=
   let (one, other) := pair_of k in
-  (k <? length ds * length hs)%nat && negb (match sides_of k with [] => true | _ => false end) && is_convex_sum (sides_of k) && forallb (left_of (plus (center one) (center other))) (sides_of k).
+  (k <? length ds * length hs)%nat && is_convex (sum_vertices one other) && forallb (left_of (plus (center one) (center other))) (sides_of k).
 Definition boundary : bool :=
   forallb (fun e => negb (same (fst e) (snd e))) loop_edges && all_pairs distinct loop_edges &&
   forallb (fun one => forallb (is_clear one) hs) ds &&
@@ -226,29 +214,18 @@ Proof.
   apply (at_le (3 * Zpos N * (3 * Zpos N)) _ _ _ 0%Z ltac:(lia) A (at_zero _)) in L. lia.
 Qed.
 
-Lemma is_convex_sum_spec S : is_convex_sum S = true -> convex (map qe S) /\ linked (map qe S).
+Lemma convex_sides r : is_convex r = true -> convex (map qe (edges r)) /\ linked (map qe (edges r)).
 Proof.
-  unfold is_convex_sum. rewrite forallb_forall. intro H. split.
+  destruct r as [|p t]; [discriminate|]. intro H. split.
   - intros f' g' F G. apply in_map_iff in F as (f & <- & F). apply in_map_iff in G as (g & <- & G).
-    specialize (H f F). apply andb_prop in H as (_ & H). rewrite forallb_forall in H. specialize (H g G). cbv zeta in H.
-    apply andb_prop in H as (H & E). apply andb_prop in H as (A & B). apply Z.leb_le in A, B.
-    change (fst (qe f)) with (qpt (fst f)). change (snd (qe f)) with (qpt (snd f)).
-    split; [apply o_nonneg, A|]. split; [apply o_nonneg, B|].
-    apply orb_prop in E as [E|E]; [apply orb_prop in E as [E|E]; apply Z.ltb_lt in E|].
-    + left. apply o_pos, E.
-    + right. left. apply o_pos, E.
-    + right. right. apply Z.eqb_eq in E. unfold rise, Spans.qe, PiecePoints.qpt. cbn [fst snd]. rewrite !(qfrac N).
-      assert (X : forall a b, a - b == a + - b) by (intros; reflexivity).
-      assert (Y : inject_Z (snd (snd g) - snd (fst g)) == inject_Z (snd (snd f) - snd (fst f))) by (rewrite E; reflexivity).
-      unfold Z.sub in Y. rewrite !inject_Z_plus, !inject_Z_opp in Y. rewrite !X.
-      transitivity ((inject_Z (snd (snd g)) + - inject_Z (snd (fst g))) * unit N); [ring|]. rewrite Y. ring.
-  - intros f' F. apply in_map_iff in F as (f & <- & F). specialize (H f F). apply andb_prop in H as (H & _). apply andb_prop in H as (A & B).
-    apply existsb_exists in A as (g & G & A). apply andb_prop in A as (A & A'). apply same_spec in A. apply Z.ltb_lt in A'.
-    apply existsb_exists in B as (h & Hh & B). apply andb_prop in B as (B & B'). apply same_spec in B. apply Z.ltb_lt in B'. split.
-    + exists (qe g). split; [apply in_map, G|]. split; [|apply o_pos, A'].
-      change (snd (qe g)) with (qpt (snd g)). change (fst (qe f)) with (qpt (fst f)). rewrite A. split; reflexivity.
-    + exists (qe h). split; [apply in_map, Hh|]. split; [|apply o_pos, B'].
-      change (fst (qe h)) with (qpt (fst h)). change (snd (qe f)) with (qpt (snd f)). rewrite B. split; reflexivity.
+    pose proof (edges_ends _ _ F) as (F1 & F2). split; [apply o_nonneg, (edge_left_weak p t H g _ G F1)|].
+    split; [apply o_nonneg, (edge_left_weak p t H g _ G F2)|].
+    destruct (edges_differ p t H g f G F) as [->|[L|L]]; [right; right; reflexivity|left|right; left]; apply o_pos, L.
+  - intros f' F. apply in_map_iff in F as (f & <- & F). split.
+    + destruct (previous p t H f F) as (g & G & E & L). exists (qe g). split; [apply in_map, G|]. split; [|apply o_pos, L].
+      change (snd (qe g)) with (qpt (snd g)). rewrite E. split; reflexivity.
+    + destruct (following p t H f F) as (g & G & E & L). exists (qe g). split; [apply in_map, G|]. split; [|apply o_pos, L].
+      change (fst (qe g)) with (qpt (fst g)). rewrite E. split; reflexivity.
 Qed.
 
 Lemma ring_sides r : map qe (edges r) = Statements.edges (qring N r).
@@ -257,11 +234,18 @@ Proof. rewrite qedges_map. reflexivity. Qed.
 (* The pieces of a shape *)
 Lemma is_convex_spec r : is_convex r = true -> is_fan r = true /\ inS (Statements.edges (qring N r)) (third (center r)) /\ left_all (qring N r).
 Proof.
-  unfold is_convex. intro H. apply andb_prop in H as (H & L). apply andb_prop in H as (F & C). split; [exact F|].
-  rewrite <- ring_sides. split.
-  - intros f' I. apply in_map_iff in I as (f & <- & I). rewrite forallb_forall in C. apply left_of_spec, C, I.
+  intro H. split; [exact (is_convex_fan r H)|]. destruct r as [|p t]; [discriminate|]. rewrite <- ring_sides. split.
+  - intros f' I. apply in_map_iff in I as (f & <- & I). apply left_of_spec. apply Z.ltb_lt.
+    destruct (in_edge p t f I) as (i & Li & E). destruct (third_vertex p t H i Li) as (j & J & L).
+    assert (W : forall x, In x (p :: t) -> (0 <= det (fst f) (snd f) x)%Z) by (intro x; apply (edge_left_weak p t H f x I)).
+    destruct t as [|q [|s l]]; try discriminate. pose proof (W p ltac:(cbn; auto)). pose proof (W q ltac:(cbn; auto)). pose proof (W s ltac:(cbn; auto)).
+    assert (P : (0 < det (fst f) (snd f) p \/ 0 < det (fst f) (snd f) q \/ 0 < det (fst f) (snd f) s)%Z)
+      by (rewrite E; destruct j as [|[|[|j]]]; [left|right; left|right; right|lia]; exact L).
+    assert (S : det (grow 3 (fst f)) (grow 3 (snd f)) (center (p :: q :: s :: l)) = (3 * (det (fst f) (snd f) p + det (fst f) (snd f) q + det (fst f) (snd f) s))%Z)
+      by (unfold center, plus, det, grow; cbn [fst snd]; ring).
+    rewrite S. lia.
   - intros f' v' I V. rewrite <- ring_sides in I. apply in_map_iff in I as (f & <- & I). apply in_map_iff in V as (v & <- & V).
-    rewrite forallb_forall in L. specialize (L f I). rewrite forallb_forall in L. apply o_nonneg, Z.leb_le, L, V.
+    apply o_nonneg, (edge_left_weak p t H f v I V).
 Qed.
 
 (* Winding numbers along a segment that is apart from all edges *)

@@ -1,6 +1,6 @@
 (* Soundness of `boundary`: the loops and fits are the boundary of the union of all sums. *)
 Require Import QArith Lqa ZArith Lia List Bool.
-From Exactsweep Require Import Cancel Constant Fans Pieces Solid Gaps Scaling.
+From Exactsweep Require Import Cancel Constant Fans Pieces Convex Solid Gaps Scaling.
 From Exactsweep Require Statements.
 From Exactsweep Require Import HalfOpen Nearby Boundary SumPoints PiecePoints Covers Spans Sums.
 Import ListNotations.
@@ -113,14 +113,14 @@ Lemma listed_spec x : In x listed -> let p := map qe (sides_of ds hs (fst x)) in
   convex p /\ linked p /\ (exists z, inS p z) /\ (forall t, inS p t -> O t).
 Proof.
   intro I. pose proof (Sums_ x I) as H. unfold is_sum in H. destruct (pair_of ds hs (fst x)) as (P, Q) eqn:E.
-  apply andb_prop in H as (H & C). apply andb_prop in H as (K & H). apply andb_prop in K as (K & Ne). apply Nat.ltb_lt in K.
+  apply andb_prop in H as (H & C). apply andb_prop in H as (K & H). apply Nat.ltb_lt in K.
   pose proof (pair_in (fst x) K) as (IP & IQ). rewrite E in IP, IQ. cbn [fst snd] in IP, IQ.
-  destruct (is_convex_sum_spec N _ H) as (A & B). cbv zeta. split; [exact A|]. split; [exact B|]. split.
+  destruct (convex_sides N _ H) as (A & B). assert (S : sides_of ds hs (fst x) = sum_sides P Q) by (unfold sides_of; rewrite E; reflexivity).
+  cbv zeta. rewrite S in *. split; [exact A|]. split; [exact B|]. split.
   - exists (third N (plus (center P) (center Q))). intros f' F. apply in_map_iff in F as (f & <- & F).
     rewrite forallb_forall in C. apply left_of_spec, C, F.
   - intros t T. left. exists P, Q. split; [exact IP|]. split; [exact IQ|].
-    assert (S : sides_of ds hs (fst x) = sum_sides P Q) by (unfold sides_of; rewrite E; reflexivity).
-    rewrite S in *. apply Inside; [exact IP|exact IQ| |exact T]. intro Ad. unfold sum_sides in Ne. rewrite Ad in Ne. discriminate.
+    apply Inside; [exact IP|exact IQ| |exact T]. intro Ad. unfold sum_vertices in H. rewrite Ad in H. discriminate.
 Qed.
 Lemma beyond_half f : In f beyond -> let p := map qe [f] in convex p /\ (exists z, inS p z) /\ (forall t, inS p t -> O t).
 Proof.
@@ -306,10 +306,10 @@ Proof.
   destruct (sum_cases S IS) as (p & J & ->). apply in_map_iff in IF as (g & <- & G).
   destruct (polygon_cases p J) as [(x & Y & ->)|(h & Hh & _)]; [|rewrite Nb in Hh; destruct Hh].
   pose proof (Sums_ x Y) as H. unfold is_sum in H. destruct (pair_of ds hs (fst x)) as (P, Q) eqn:E.
-  apply andb_prop in H as (H & _). apply andb_prop in H as (Kk & _). apply andb_prop in Kk as (Kk & _). apply Nat.ltb_lt in Kk.
+  apply andb_prop in H as (H & _). apply andb_prop in H as (Kk & _). apply Nat.ltb_lt in Kk.
   pose proof (pair_in (fst x) Kk) as (IP & IQ). rewrite E in IP, IQ. cbn [fst snd] in IP, IQ.
   assert (Sd : sides_of ds hs (fst x) = sum_sides P Q) by (unfold sides_of; rewrite E; reflexivity). rewrite Sd in G.
-  unfold sum_sides in G. apply edges_ends in G as (G1 & G2). apply in_map_iff in G1 as ((a, c) & E1 & G1). apply in_map_iff in G2 as ((b, d) & E2 & G2).
+  unfold sum_sides, sum_vertices in G. apply edges_ends in G as (G1 & G2). apply in_map_iff in G1 as ((a, c) & E1 & G1). apply in_map_iff in G2 as ((b, d) & E2 & G2).
   apply add_in in G1 as (Ga & Gc). apply add_in in G2 as (Gb & Gd). cbn [fst snd] in *.
   exists P, Q, a, b, c, d, s. do 6 (split; [assumption|]). split; [exact Hs|].
   unfold between, Spans.qe in *. cbn [fst snd] in *. rewrite <- E1, <- E2 in Tx, Ty. unfold plus, qpt in *. cbn [fst snd] in *.

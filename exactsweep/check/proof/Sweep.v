@@ -1,7 +1,7 @@
 (* The checker of swept areas, and its theorem. O is the union of the open sums of a segment of the path T and a piece
    of G; the area that G covers along T is the closure of O. *)
 Require Import QArith Lqa ZArith Lia List Bool.
-From Exactsweep Require Import Cancel Constant Fans Pieces Solid Gaps Scaling.
+From Exactsweep Require Import Cancel Constant Fans Pieces Convex Solid Gaps Scaling.
 From Exactsweep Require Statements.
 From Exactsweep Require Import HalfOpen Nearby Boundary SumPoints PiecePoints Covers Spans Sums SumsSound Pairs.
 Import ListNotations.
@@ -75,7 +75,7 @@ Definition solid_G : solid := {| rings := int_rings (Zpos N) G; pieces := moving
 Definition segments : list ring := map (fun e => [fst e; snd e]) (map (int_edge N) T).
 Definition check_sweep : bool :=
   forallb (integral_edge N) T && all_integral (Zpos N) G && all_integral (Zpos N) loops && forallb (integral_edge N) slits &&
-  simple_solid solid_G && forallb is_convex (moving c) &&
+  simple_solid solid_G &&
   Sums.boundary segments (moving c) [] (int_rings (Zpos N) loops) (map (int_edge N) slits) (listed_sums c) [] 1.
 
 Definition reaches (e : side) (Q : ring) (p : qpoint) : Prop := exists t,
@@ -129,7 +129,7 @@ Proof.
   - intros x Ix. apply in_map_iff in Ix as (y & <- & Iy). cbn [fst snd]. apply add_in in Iy as (I1 & I2).
     split; [|exact (in_map (qpt N) _ _ I2)].
     destruct I1 as [<-|[<-|[]]]; [exact (on_ends (qpt N a, qpt N b) false)|exact (on_ends (qpt N a, qpt N b) true)].
-  - unfold sum_sides in I. rewrite ring_sides in I. revert I. apply inS_meet. unfold pairs, qring. rewrite !map_map.
+  - unfold sum_sides, sum_vertices in I. rewrite ring_sides in I. revert I. apply inS_meet. unfold pairs, qring. rewrite !map_map.
     generalize (add [a; b] Q). clear. intro l. induction l as [|x l IH]; [constructor|]. cbn [map]. constructor; [|exact IH].
     unfold meets_at, qplus, qpt, Sums.plus. cbn [fst snd]. split; unfold Qeq, Qplus; cbn [Qnum Qden]; rewrite !Pos2Z.inj_mul; ring.
   - unfold pairs. destruct (add [a; b] Q); [contradiction|discriminate].
@@ -216,7 +216,8 @@ End Accepted.
 Theorem sweep_sound : check_sweep = true -> Statements.sweep_claim T G loops slits.
 Proof.
   unfold check_sweep. intro H. repeat match type of H with _ && _ = true => let X := fresh "X" in apply andb_prop in H as (H & X) end.
-  rewrite forallb_forall in X0. destruct (boundary_parts _ _ _ _ _ _ _ _ X) as (B1 & B2 & B3 & B4 & B5 & B6 & B7 & B8).
+  rename X3 into X4, X2 into X3, X1 into X2, X0 into X1.
+  pose proof (fun P => simple_convex solid_G P X1 : In P (moving c) -> is_convex P = true) as X0. destruct (boundary_parts _ _ _ _ _ _ _ _ X) as (B1 & B2 & B3 & B4 & B5 & B6 & B7 & B8).
   pose proof (sum_bound X0) as Bd. pose proof (sum_center X0) as Ce. pose proof (sum_inside X0) as Is. pose proof (O_iff H) as Oi.
   pose proof (fun x => known_meet N loops slits x X3 X2) as Known.
   pose proof (fun z => winding_meet loops _ z (int_rings_meet N loops X3)) as Wind.
