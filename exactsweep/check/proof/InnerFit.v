@@ -477,7 +477,7 @@ Lemma accepted : forallb (integral_edge N) fits = true ->
   Sums.boundary (outside c) (map turned (part c)) beyond_box loops (map (int_edge N) fits) (listed_sums c) (around c) 0 = true ->
   Statements.inner_fit_claim C G regions fits.
 Proof.
-  intros IF X. destruct (boundary_parts _ _ _ _ _ _ _ _ X) as (B1 & B2 & B3 & B4 & B5 & B6 & B7 & B8).
+  intros IF X. destruct (boundary_parts _ _ _ _ _ _ _ _ X) as (B1 & B2 & B3 & Bw & B4 & B5 & B6 & B7 & B8).
   assert (Bd : forall P Q n t, In P (outside c) -> In Q (map turned (part c)) -> n <> (0, 0)%Z -> at_sum P Q t ->
     qdot n t * inject_Z (Zpos N) < inject_Z (most n P + most n Q)).
   { intros P Q n t IP IQ Nz T. apply shares_bound; [exact (FO P IP)|exact (proj1 (is_convex_spec N _ (turned_convex Q IQ)))|exact Nz|exact T]. }
@@ -485,6 +485,12 @@ Proof.
   { intros P Q IP IQ. apply shares_center; [exact (PO P IP)|exact (turned_convex Q IQ)]. }
   assert (Is : forall P Q t, In P (outside c) -> In Q (map turned (part c)) -> add P Q <> [] -> inS (map (qe N) (sum_sides P Q)) t -> at_sum P Q t).
   { intros P Q t IP IQ. apply shares_inside; [exact (PO P IP)|exact (turned_convex Q IQ)]. }
+  assert (Cm : (forall P P' Q v, In P (outside c) -> In P' (outside c) -> In Q (map turned (part c)) -> In v P -> In v P' ->
+      exists t, at_sum P Q t /\ at_sum P' Q t) /\ (are_segments (outside c) = false -> forall P Q Q' v, In P (outside c) ->
+      In Q (map turned (part c)) -> In Q' (map turned (part c)) -> In v Q -> In v Q' -> exists t, at_sum P Q t /\ at_sum P Q' t)).
+  { split.
+    - intros P P' Q v I I' IQ V V'. exact (shares_common_first N P P' _ v (PO P I) (PO P' I') (turned_convex Q IQ) V V').
+    - intros _ P Q Q' v IP I I' V V'. exact (shares_common N P Q Q' v (PO P IP) (turned_convex Q I) (turned_convex Q' I') V V'). }
   assert (E1 : forall t, beyond_at N beyond_box t -> wind_at N loops t = 0%Z).
   { intros t B. rewrite wind_loops, beyond_zero; [reflexivity|apply beyond_iff, B]. }
   assert (E2 : forall f x, In f beyond_box -> o (qe N f) x == 0 -> Statements.on_segment (qe N f) x \/ beyond_at N beyond_box x).
@@ -503,10 +509,10 @@ Proof.
   { intro t. destruct (Qlt_le_dec (fst t) ((br # N) + 1)) as [H|H].
     - exists ((br # N) + 1). split; [lra|]. apply beyond_iff. right. left. unfold at_x. cbn [fst]. lra.
     - exists (fst t). split; [lra|]. apply beyond_iff. right. left. unfold at_x. cbn [fst]. lra. }
-  assert (Core := boundary_core N (outside c) (map turned (part c)) beyond_box loops (map (int_edge N) fits) (listed_sums c) (around c) 0%Z at_sum Bd Ce Is
-    E1 E2 E3 (or_intror Far) B1 B2 B3 B4 B5 B6 B7 B8).
-  assert (Limit := boundary_limits N (outside c) (map turned (part c)) beyond_box loops (map (int_edge N) fits) (listed_sums c) (around c) 0%Z at_sum Bd Ce Is
-    E1 E2 E3 (or_intror Far) B1 B2 B3 B4 B5 B6 B7 B8).
+  assert (Core := boundary_core N (outside c) (map turned (part c)) beyond_box loops (map (int_edge N) fits) (listed_sums c) (around c) 0%Z at_sum Bd Ce Is Cm
+    E1 E2 E3 (or_intror Far) B1 B2 B3 Bw B4 B5 B6 B7 B8).
+  assert (Limit := boundary_limits N (outside c) (map turned (part c)) beyond_box loops (map (int_edge N) fits) (listed_sums c) (around c) 0%Z at_sum Bd Ce Is Cm
+    E1 E2 E3 (or_intror Far) B1 B2 B3 Bw B4 B5 B6 B7 B8).
   assert (Dec : forall u, ~ Statements.fits_at C G u -> O u).
   { intros u NF. destruct (on_any_dec segments u) as [Lu|NL].
     - exfalso. apply NF, fits_of_not. intro Ou. apply (on_known_iff u IF), Limit in Lu. apply Lu, O_iff, Ou.

@@ -59,7 +59,7 @@ Proof.
   unfold check_no_fit. intro H. repeat match type of H with _ && _ = true => let X := fresh "X" in apply andb_prop in H as (H & X) end.
   rename X4 into X6, X3 into X5, X2 into X4, X1 into X3, X0 into X2.
   pose proof (fun P => simple_convex solid_D P X3 : In P (still c) -> is_convex P = true) as X1.
-  pose proof (fun P => simple_convex solid_G P X2 : In P (moving c) -> is_convex P = true) as X0. destruct (boundary_parts _ _ _ _ _ _ _ _ X) as (B1 & B2 & B3 & B4 & B5 & B6 & B7 & B8).
+  pose proof (fun P => simple_convex solid_G P X2 : In P (moving c) -> is_convex P = true) as X0. destruct (boundary_parts _ _ _ _ _ _ _ _ X) as (B1 & B2 & B3 & Bw & B4 & B5 & B6 & B7 & B8).
   pose proof (overlaps_iff H X6 X3 X2) as Ov.
   assert (Bd : forall P Q n t, In P (still c) -> In Q (map turned (moving c)) -> n <> (0, 0)%Z -> at_sum P Q t ->
     qdot n t * inject_Z (Zpos N) < inject_Z (most n P + most n Q)).
@@ -68,17 +68,23 @@ Proof.
   { intros P Q IP IQ. apply shares_center; [exact (X1 P IP)|exact (turned_convex X0 Q IQ)]. }
   assert (Is : forall P Q t, In P (still c) -> In Q (map turned (moving c)) -> add P Q <> [] -> inS (map (qe N) (sum_sides P Q)) t -> at_sum P Q t).
   { intros P Q t IP IQ. apply shares_inside; [exact (X1 P IP)|exact (turned_convex X0 Q IQ)]. }
+  assert (Cm : (forall P P' Q v, In P (still c) -> In P' (still c) -> In Q (map turned (moving c)) -> In v P -> In v P' ->
+      exists t, at_sum P Q t /\ at_sum P' Q t) /\ (are_segments (still c) = false -> forall P Q Q' v, In P (still c) ->
+      In Q (map turned (moving c)) -> In Q' (map turned (moving c)) -> In v Q -> In v Q' -> exists t, at_sum P Q t /\ at_sum P Q' t)).
+  { split.
+    - intros P P' Q v I I' IQ V V'. exact (shares_common_first N P P' _ v (X1 P I) (X1 P' I') (turned_convex X0 Q IQ) V V').
+    - intros _ P Q Q' v IP I I' V V'. exact (shares_common N P Q Q' v (X1 P IP) (turned_convex X0 Q I) (turned_convex X0 Q' I') V V'). }
   pose proof (fun x => known_meet N loops fits x X5 X4) as Known.
   pose proof (fun z => winding_meet loops _ z (int_rings_meet N loops X5)) as Wind.
   unfold Statements.no_fit_claim. cbv zeta. split; intro t; rewrite Known.
-  - etransitivity; [apply (boundary_limits N (still c) (map turned (moving c)) [] (int_rings (Zpos N) loops) (map (int_edge N) fits) (listed_sums c) [] 1%Z at_sum Bd Ce Is); try assumption|].
+  - etransitivity; [apply (boundary_limits N (still c) (map turned (moving c)) [] (int_rings (Zpos N) loops) (map (int_edge N) fits) (listed_sums c) [] 1%Z at_sum Bd Ce Is Cm); try assumption|].
     + intros u (f & [] & _).
     + intros f x [].
     + intros f [].
     + left. reflexivity.
     + rewrite (Ov t). split; intros (Cl & NO); (split; [|exact NO]); intros e E; destruct (Cl e E) as (y & Y & Cy); exists y; (split; [apply Ov, Y|exact Cy]).
   - intro NL. rewrite Wind, (Ov t).
-    apply (boundary_core N (still c) (map turned (moving c)) [] (int_rings (Zpos N) loops) (map (int_edge N) fits) (listed_sums c) [] 1%Z at_sum Bd Ce Is) in NL; try assumption.
+    apply (boundary_core N (still c) (map turned (moving c)) [] (int_rings (Zpos N) loops) (map (int_edge N) fits) (listed_sums c) [] 1%Z at_sum Bd Ce Is Cm) in NL; try assumption.
     + intros u (f & [] & _).
     + intros f x [].
     + intros f [].
@@ -121,7 +127,7 @@ Proof.
   unfold check_no_fit. intro H. repeat match type of H with _ && _ = true => let X := fresh "X" in apply andb_prop in H as (H & X) end.
   rename X4 into X6, X3 into X5, X2 into X4, X1 into X3, X0 into X2.
   pose proof (fun P => simple_convex solid_D P X3 : In P (still c) -> is_convex P = true) as X1.
-  pose proof (fun P => simple_convex solid_G P X2 : In P (moving c) -> is_convex P = true) as X0. destruct (boundary_parts _ _ _ _ _ _ _ _ X) as (B1 & B2 & B3 & B4 & B5 & B6 & B7 & B8).
+  pose proof (fun P => simple_convex solid_G P X2 : In P (moving c) -> is_convex P = true) as X0. destruct (boundary_parts _ _ _ _ _ _ _ _ X) as (B1 & B2 & B3 & Bw & B4 & B5 & B6 & B7 & B8).
   intros t K. rewrite (known_meet N loops fits t X5 X4) in K.
   destruct (boundary_contact N (still c) (map turned (moving c)) [] (int_rings (Zpos N) loops) (map (int_edge N) fits) (listed_sums c) []) with (t := t)
     as (P & Q & a & b & u & v & s & IP & IQ & Ia & Ib & Iu & Iv & Hs & Tx & Ty); try assumption; try reflexivity.

@@ -135,6 +135,35 @@ Proof.
   split; unfold Qeq, Qminus, Qplus, Qopp; cbn [Qnum Qden]; rewrite !Pos2Z.inj_mul; ring.
 Qed.
 
+Lemma shares_sym P Q t : shares P Q t -> shares Q P (- fst t, - snd t).
+Proof.
+  intros (z & Z & W). exists (back_by t z). split; [exact W|]. rewrite (winding_same _ _ z); [exact Z|].
+  unfold meets_at, back_by. cbn [fst snd]. split; ring.
+Qed.
+(* A vertex of one piece and a point inside the other *)
+Lemma shares_vertex P Q v : is_convex P = true -> is_convex Q = true -> In v P ->
+  shares P Q (fst (qpt N v) - fst (third N (center Q)), snd (qpt N v) - snd (third N (center Q))).
+Proof.
+  intros CP CQ V. destruct (is_convex_spec N P CP) as (FP & A & LP). destruct (is_convex_spec N Q CQ) as (FQ & B & _).
+  set (a := third N (center P)) in *. set (b := third N (center Q)) in *. set (w := qpt N v).
+  destruct (away_all _ b (fst b - (fst a - fst w), snd b - (snd a - snd w)) B) as (e & E & X). exists (mix e w a). split.
+  - apply strict_inside; [exact FP|].
+    pose proof (mix_strict (qring N P) 1 0 0 w w w a e LP (in_map _ _ _ V) (in_map _ _ _ V) (in_map _ _ _ V) A
+      ltac:(lra) ltac:(lra) ltac:(lra) ltac:(lra) E) as T.
+    refine (inS_same _ _ _ _ T). unfold meets_at, mix, mean. cbn [fst snd]. split; field; lra.
+  - apply strict_inside; [exact FQ|]. assert (D : 0 < e / (1 + e) /\ e / (1 + e) <= e).
+    { split; [apply Qlt_shift_div_l; lra|]. apply Qle_shift_div_r; [lra|]. assert (0 <= e * e) by (apply Qmult_le_0_compat; lra). lra. }
+    refine (inS_same _ _ _ _ (X (e / (1 + e)) (proj1 D) (proj2 D))). unfold meets_at, away, back_by, mix. cbn [fst snd]. split; field; lra.
+Qed.
+Lemma shares_common_first P P' Q v : is_convex P = true -> is_convex P' = true -> is_convex Q = true -> In v P -> In v P' ->
+  exists t, shares P Q t /\ shares P' Q t.
+Proof. intros. eexists. split; apply shares_vertex; eassumption. Qed.
+Lemma shares_common P (Q Q' : ring) v : is_convex P = true -> is_convex (turned Q) = true -> is_convex (turned Q') = true -> In v Q -> In v Q' ->
+  exists t, shares P (turned Q) t /\ shares P (turned Q') t.
+Proof.
+  intros CP C C' V V'. eexists. split; apply shares_sym, shares_vertex; try assumption; apply (in_map opposite _ v); assumption.
+Qed.
+
 Lemma shares_inside P H t : is_convex P = true -> is_convex (turned H) = true -> add P H <> [] ->
   inS (map qe (sum_sides P H)) t -> shares P (turned H) t.
 Proof.

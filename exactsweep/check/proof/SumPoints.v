@@ -90,11 +90,9 @@ Qed.
 
 (* A point slightly farther from c than t is still inside. *)
 Definition away (e : Q) (t c : qpoint) : qpoint := (fst t + e * (fst t - fst c), snd t + e * (snd t - snd c)).
-Lemma away_inside es t c : inS es t -> exists e, 0 < e /\ inS es (away e t c).
+Lemma away_all es t c : inS es t -> exists e, 0 < e /\ forall d, 0 < d -> d <= e -> inS es (away d t c).
 Proof.
-  intro H. enough (X : exists e, 0 < e /\ forall d, 0 < d -> d <= e -> inS es (away d t c)).
-  { destruct X as (e & E & X). exists e. split; [exact E|]. apply X; lra. }
-  induction es as [|f es IH]; [exists 1; split; [lra|intros d _ _ g []]|].
+  intro H. induction es as [|f es IH]; [exists 1; split; [lra|intros d _ _ g []]|].
   destruct IH as (e & E & X); [intros g G; apply H; right; exact G|].
   pose proof (H f (or_introl eq_refl)) as F.
   set (m := (o f t - o f c) * (o f t - o f c) + 1). pose proof (abs_bound (o f t - o f c)) as B. fold m in B.
@@ -107,6 +105,8 @@ Proof.
   pose proof (mono_le (2 * m) d (o f t / (2 * m)) ltac:(lra) ltac:(lra)).
   assert (2 * m * (o f t / (2 * m)) == o f t) by (field; lra). lra.
 Qed.
+Lemma away_inside es t c : inS es t -> exists e, 0 < e /\ inS es (away e t c).
+Proof. intro H. destruct (away_all es t c H) as (e & E & X). exists e. split; [exact E|]. apply X; lra. Qed.
 
 (* The sum polygon has vertices d - g; at a translation strictly inside it the two pieces overlap. *)
 Definition corner (x : qpoint * qpoint) : qpoint := (fst (fst x) - fst (snd x), snd (fst x) - snd (snd x)).

@@ -64,6 +64,15 @@ Definition distinct (e g : edge) : bool :=
   (Z.max (snd (fst e)) (snd (snd e)) <=? Z.min (snd (fst g)) (snd (snd g))) ||
   (Z.max (snd (fst g)) (snd (snd g)) <=? Z.min (snd (fst e)) (snd (snd e))).
 
+(* Pieces connected by common vertices: one of each group, with the vertices of the group *)
+Definition meets (p : ring) (g : ring * list pt) : bool := some (fun v => some (same v) (snd g)) p.
+Fixpoint groups (ps : list ring) : list (ring * list pt) :=
+  match ps with
+  | [] => []
+  | p :: r => let (met, others) := partition (meets p) (groups r) in (p, p ++ concat (map snd met)) :: others
+  end.
+Definition are_segments (ps : list ring) : bool := match ps with [_; _] :: _ => true | _ => false end.
+
 (* A known edge, and an index in the chain of a side: n >= 0 is listed polygon n, -1 - n is known edge n. *)
 Definition spans_of (polygons : list (list edge)) (known : list edge) (f : edge) (chain : list Z) : list span :=
   flat_map (fun n =>
@@ -108,16 +117,18 @@ Definition polygons : list (list edge) := map (fun x => sides_of (fst x)) listed
 Definition chains : list (list (list Z)) := map snd listed ++ map (fun c => [c]) around.
 Definition named : list (edge * list Z) := flat_map (fun x => combine (fst x) (snd x)) (combine polygons chains).
 
-(* (a) and (d) of a pair of pieces *)
-Definition is_clear (one other : ring) : bool :=
-  (wind (map (grow_edge 3) loop_edges) (plus (center one) (center other)) =? wanted) &&
-  (let found := bounds one other in forallb (clear one other found) known).
+(* (a) of a pair of pieces, and (d) of pieces of each group.  Along a segment, pieces with a common vertex may be apart. *)
+Definition is_clear (one other : ring) : bool := let found := bounds one other in forallb (clear one other found) known.
+Definition winds (es : list edge) (one other : ring) : bool := wind es (plus (center one) (center other)) =? wanted.
+Definition wind_all : bool :=
+  let es := map (grow_edge 3) loop_edges in let inner := if are_segments ds then hs else map fst (groups hs) in
+  forallb (fun g => forallb (winds es (fst g)) inner) (groups ds).
 Definition is_sum (k : nat) : bool :=
   let (one, other) := pair_of k in
   (k <? length ds * length hs)%nat && is_convex (sum_vertices one other) && forallb (left_of (plus (center one) (center other))) (sides_of k).
 Definition boundary : bool :=
   forallb (fun e => negb (same (fst e) (snd e))) loop_edges && all_pairs distinct loop_edges &&
-  forallb (fun one => forallb (is_clear one) hs) ds &&
+  forallb (fun one => forallb (is_clear one) hs) ds && wind_all &&
   forallb (fun f => forallb (fun e => (det (fst f) (snd f) (fst e) <=? 0) && (det (fst f) (snd f) (snd e) <=? 0)) known) beyond &&
   forallb (fun x => is_sum (fst x)) listed &&
   (length around =? length beyond)%nat &&
@@ -137,6 +148,33 @@ Proof.
 Qed.
 Lemma same_not p q : negb (same p q) = true -> p <> q.
 Proof. intros H E. apply same_spec in E. rewrite E in H. discriminate. Qed.
+
+Lemma groups_spec {A} (f : ring -> A) ps : (forall p q v, In p ps -> In q ps -> In v p -> In v q -> f p = f q) ->
+  (forall p, In p ps -> exists g, In g (groups ps) /\ f p = f (fst g)) /\
+  (forall g, In g (groups ps) -> In (fst g) ps /\ forall v, In v (snd g) -> exists p, In p ps /\ In v p /\ f p = f (fst g)).
+Proof.
+  induction ps as [|p r IH]; intro H; [split; [intros p []|intros g []]|].
+  destruct IH as (IP & IG); [intros q s v Q S; apply H; right; assumption|]. cbn [groups].
+  destruct (partition (meets p) (groups r)) as (met, others) eqn:P.
+  assert (Met : forall g, In g met -> In g (groups r) /\ f p = f (fst g)).
+  { intros g I. assert (J : In g (groups r)) by (apply (elements_in_partition _ _ P); left; exact I). split; [exact J|].
+    assert (M : meets p g = true).
+    { revert P I. clear. revert met others. induction (groups r) as [|h l IH]; intros met others P I; cbn [partition] in P; [injection P as <- <-; destruct I|].
+      destruct (partition (meets p) l) as (m, o). destruct (meets p h) eqn:M; injection P as <- <-; [destruct I as [<-|I]; [exact M|]|];
+        exact (IH _ _ eq_refl I). }
+    apply some_exists in M as (v & V & M). apply some_exists in M as (w & W & M). apply same_spec in M. subst w.
+    destruct (proj2 (IG g J) v W) as (q & Q & Vq & E). rewrite <- E. apply (H p q v); [left; reflexivity|right; exact Q|exact V|exact Vq]. }
+  split.
+  - intros q [<-|Q]; [eexists; split; [left; reflexivity|reflexivity]|]. destruct (IP q Q) as (g & G & E).
+    apply (elements_in_partition _ _ P) in G as [G|G]; [|exists g; split; [right; exact G|exact E]].
+    eexists. split; [left; reflexivity|]. rewrite E. symmetry. exact (proj2 (Met g G)).
+  - intros g [<-|G].
+    + split; [left; reflexivity|]. intros v V. apply in_app_or in V as [V|V]; [exists p; repeat split; [left; reflexivity|exact V]|].
+      apply in_concat in V as (l & L & V). apply in_map_iff in L as (g & <- & G). destruct (Met g G) as (J & E).
+      destruct (proj2 (IG g J) v V) as (q & Q & Vq & F). exists q. split; [right; exact Q|]. split; [exact Vq|]. cbn [fst]. congruence.
+    + assert (J : In g (groups r)) by (apply (elements_in_partition _ _ P); right; exact G). destruct (IG g J) as (K & L).
+      split; [right; exact K|]. intros v V. destruct (L v V) as (q & Q & W). exists q. split; [right; exact Q|exact W].
+Qed.
 
 Lemma rotate_in v p : forall rest seen, In p (rotate v seen rest) -> In p rest \/ In p seen.
 Proof.

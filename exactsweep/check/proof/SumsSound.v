@@ -19,6 +19,9 @@ Hypothesis Bound : forall P Q n t, In P ds -> In Q hs -> n <> (0, 0)%Z -> at_sum
   qdot n t * inject_Z (Zpos N) < inject_Z (most n P + most n Q).
 Hypothesis Center : forall P Q, In P ds -> In Q hs -> at_sum P Q (third N (plus (center P) (center Q))).
 Hypothesis Inside : forall P Q t, In P ds -> In Q hs -> add P Q <> [] -> inS (map qe (sum_sides P Q)) t -> at_sum P Q t.
+Hypothesis Common :
+  (forall P P' Q v, In P ds -> In P' ds -> In Q hs -> In v P -> In v P' -> exists t, at_sum P Q t /\ at_sum P' Q t) /\
+  (are_segments ds = false -> forall P Q Q' v, In P ds -> In Q hs -> In Q' hs -> In v Q -> In v Q' -> exists t, at_sum P Q t /\ at_sum P Q' t).
 Definition beyond_at (t : qpoint) : Prop := exists f, In f beyond /\ 0 < o (qe f) t.
 Definition O (t : qpoint) : Prop := (exists P Q, In P ds /\ In Q hs /\ at_sum P Q t) \/ beyond_at t.
 Definition wind_at (t : qpoint) : Z := Statements.winding (map (qring N) loops) t.
@@ -36,7 +39,8 @@ Definition on_known (t : qpoint) : Prop := Statements.on_any (map qe known) t.
 
 Hypothesis Edges : forall e, In e loop_edges -> fst e <> snd e.
 Hypothesis Distinct : all_pairs distinct loop_edges = true.
-Hypothesis Clear : forall P Q, In P ds -> In Q hs -> is_clear loops fits wanted P Q = true.
+Hypothesis Clear : forall P Q, In P ds -> In Q hs -> is_clear loops fits P Q = true.
+Hypothesis Winds : wind_all ds hs loops wanted = true.
 Hypothesis Outside : forall f e, In f beyond -> In e known -> (det (fst f) (snd f) (fst e) <= 0 /\ det (fst f) (snd f) (snd e) <= 0)%Z.
 Hypothesis Sums_ : forall x, In x listed -> is_sum ds hs (fst x) = true.
 Hypothesis Chains : zip_all (zip_all (fun f chain => negb (same (fst f) (snd f)) && covers (spans_of polygons known f chain))) polygons chains = true.
@@ -48,7 +52,7 @@ Hypothesis Fits : forall k e, nth_error fits k = Some e -> exists i,
 Lemma clear_bound P Q e : In P ds -> In Q hs -> In e known -> exists n m,
   (forall t, at_sum P Q t -> qdot n t * inject_Z (Zpos N) < inject_Z m) /\ (m <= dot n (fst e))%Z /\ (m <= dot n (snd e))%Z.
 Proof.
-  intros IP IQ I. pose proof (Clear P Q IP IQ) as H. unfold is_clear in H. apply andb_prop in H as (_ & H). cbv zeta in H.
+  intros IP IQ I. pose proof (Clear P Q IP IQ) as H. unfold is_clear in H. cbv zeta in H.
   rewrite forallb_forall in H. specialize (H e I). unfold clear in H.
   assert (G : exists n, is_beyond e (bound P Q n) = true).
   { destruct (some (is_beyond e) (bounds P Q)) eqn:B.
@@ -85,16 +89,35 @@ Proof.
 Qed.
 
 (* (d) *)
+Definition level (P Q : ring) : Z := wind_at (third N (plus (center P) (center Q))).
+Lemma level_of P Q t : In P ds -> In Q hs -> at_sum P Q t -> wind_at t = level P Q.
+Proof.
+  intros IP IQ T. apply constant_loops. intros e I. destruct (clear_bound P Q e IP IQ) as (n & m & B & A1 & A2); [apply in_or_app; left; exact I|].
+    exists n, m. split; [exact (B t T)|]. split; [apply B, Center; assumption|]. split; assumption.
+Qed.
+Lemma level_wanted P Q : winds wanted (map (grow_edge 3) loop_edges) P Q = true -> level P Q = wanted.
+Proof.
+  unfold winds. intro H. apply Z.eqb_eq in H. rewrite <- H. unfold level, wind_at.
+  rewrite (winding_at (3 * Zpos N) (map (qring N) loops) (map (map (grow 3)) loops) _ (plus (center P) (center Q)));
+    [|lia|apply rings_grow, qrings_at|apply third_at].
+  rewrite W_edges. reflexivity.
+Qed.
+Lemma level_all P Q : In P ds -> In Q hs -> level P Q = wanted.
+Proof.
+  intros IP IQ. pose proof Winds as H. unfold wind_all in H. cbv zeta in H. rewrite forallb_forall in H. destruct Common as (Cd & Ch).
+  destruct (groups_spec (fun P' => level P' Q) ds) as (Gp & Gg).
+  { intros P1 P2 v I1 I2 V1 V2. destruct (Cd P1 P2 Q v I1 I2 IQ V1 V2) as (t & T1 & T2).
+    rewrite <- (level_of P1 Q t I1 IQ T1). exact (level_of P2 Q t I2 IQ T2). }
+  destruct (Gp P IP) as (g & G & ->). specialize (H g G). rewrite forallb_forall in H. pose proof (proj1 (Gg g G)) as IR.
+  destruct (are_segments ds) eqn:S; [apply level_wanted, H, IQ|].
+  destruct (groups_spec (level (fst g)) hs) as (Hp & _).
+  { intros Q1 Q2 v I1 I2 V1 V2. destruct (Ch eq_refl (fst g) Q1 Q2 v IR I1 I2 V1 V2) as (t & T1 & T2).
+    rewrite <- (level_of (fst g) Q1 t IR I1 T1). exact (level_of (fst g) Q2 t IR I2 T2). }
+  destruct (Hp Q IQ) as (h & Hh & ->). apply level_wanted, H, in_map, Hh.
+Qed.
 Lemma once t : O t -> wind_at t = wanted.
 Proof.
-  intros [(P & Q & IP & IQ & T)|B]; [|exact (Level t B)].
-  pose proof (Clear P Q IP IQ) as H. unfold is_clear in H. apply andb_prop in H as (H & _). apply Z.eqb_eq in H. rewrite <- H.
-  transitivity (wind_at (third N (plus (center P) (center Q)))).
-  - apply constant_loops. intros e I. destruct (clear_bound P Q e IP IQ) as (n & m & B & A1 & A2); [apply in_or_app; left; exact I|].
-    exists n, m. split; [exact (B t T)|]. split; [apply B, Center; assumption|]. split; assumption.
-  - unfold wind_at. rewrite (winding_at (3 * Zpos N) (map (qring N) loops) (map (map (grow 3)) loops) _ (plus (center P) (center Q)));
-      [|lia|apply rings_grow, qrings_at|apply third_at].
-    rewrite W_edges. reflexivity.
+  intros [(P & Q & IP & IQ & T)|B]; [|exact (Level t B)]. rewrite (level_of P Q t IP IQ T). exact (level_all P Q IP IQ).
 Qed.
 
 (* The listed polygons *)
@@ -321,7 +344,7 @@ End Accepted.
 (* The conditions in one Boolean *)
 Lemma boundary_parts ds hs beyond loops fits listed around wanted : Sums.boundary ds hs beyond loops fits listed around wanted = true ->
   (forall e, In e (loop_edges loops) -> fst e <> snd e) /\ all_pairs distinct (loop_edges loops) = true /\
-  (forall P Q, In P ds -> In Q hs -> is_clear loops fits wanted P Q = true) /\
+  (forall P Q, In P ds -> In Q hs -> is_clear loops fits P Q = true) /\ wind_all ds hs loops wanted = true /\
   (forall f e, In f beyond -> In e (known loops fits) -> (det (fst f) (snd f) (fst e) <= 0 /\ det (fst f) (snd f) (snd e) <= 0)%Z) /\
   (forall x, In x listed -> is_sum ds hs (fst x) = true) /\
   zip_all (zip_all (fun f chain => negb (same (fst f) (snd f)) && covers (spans_of (polygons ds hs beyond listed) (known loops fits) f chain)))
@@ -332,10 +355,11 @@ Lemma boundary_parts ds hs beyond loops fits listed around wanted : Sums.boundar
 Proof.
   unfold Sums.boundary. intro H.
   repeat match type of H with _ && _ = true => let X := fresh "X" in apply andb_prop in H as (H & X) end.
-  rewrite forallb_forall in H, X3, X4, X5. repeat split.
+  rewrite forallb_forall in H, X3, X4, X6. repeat split.
   - intros e I. apply same_not, H, I.
-  - exact X6.
-  - intros P Q IP IQ. specialize (X5 P IP). rewrite forallb_forall in X5. exact (X5 Q IQ).
+  - exact X7.
+  - intros P Q IP IQ. specialize (X6 P IP). rewrite forallb_forall in X6. exact (X6 Q IQ).
+  - exact X5.
   - specialize (X4 f H0). rewrite forallb_forall in X4. specialize (X4 e H1). apply andb_prop in X4 as (A & _). apply Z.leb_le, A.
   - specialize (X4 f H0). rewrite forallb_forall in X4. specialize (X4 e H1). apply andb_prop in X4 as (_ & A). apply Z.leb_le, A.
   - exact X3.

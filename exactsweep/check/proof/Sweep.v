@@ -114,12 +114,17 @@ Proof.
   rewrite inject_Z_plus, <- (F (most n [a; b])), <- (F (most n Q)), E1, E2. assert (P : 0 < inject_Z (Zpos N)) by (apply inject_pos; reflexivity).
   rewrite <- Qmult_plus_distr_l. apply Qmult_lt_r; [exact P|]. lra.
 Qed.
-Lemma sum_center P Q : In P segments -> In Q (moving c) -> at_sum P Q (third N (Sums.plus (center P) (center Q))).
+Lemma sum_vertex P Q v : In P segments -> In Q (moving c) -> In v P -> at_sum P Q (third N (Sums.plus (grow 3 v) (center Q))).
 Proof.
-  intros IP IQ. destruct (segment_spec P IP) as (a & b & ->). exists (qpt N a). split; [exact (on_ends (qpt N a, qpt N b) false)|].
+  intros IP IQ V. destruct (segment_spec P IP) as (a & b & ->). exists (qpt N v).
+  split; [destruct V as [<-|[<-|[]]]; [exact (on_ends (qpt N a, qpt N b) false)|exact (on_ends (qpt N a, qpt N b) true)]|].
   destruct (is_convex_spec N Q (PG Q IQ)) as (_ & A & _). apply (inS_same _ (third N (center Q))); [|exact A].
   unfold meets_at, back_by, third, Sums.plus, center, grow, qpt. cbn [fst snd].
   split; unfold Qeq, Qminus, Qplus, Qopp; cbn [Qnum Qden]; rewrite !Pos2Z.inj_mul; ring.
+Qed.
+Lemma sum_center P Q : In P segments -> In Q (moving c) -> at_sum P Q (third N (Sums.plus (center P) (center Q))).
+Proof.
+  intros IP IQ. pose proof IP as I. destruct (segment_spec P I) as (a & b & ->). exact (sum_vertex [a; b] Q a IP IQ (or_introl eq_refl)).
 Qed.
 Lemma sum_inside P Q p : In P segments -> In Q (moving c) -> add P Q <> [] -> inS (map (qe N) (sum_sides P Q)) p -> at_sum P Q p.
 Proof.
@@ -217,18 +222,25 @@ Theorem sweep_sound : check_sweep = true -> Statements.sweep_claim T G loops sli
 Proof.
   unfold check_sweep. intro H. repeat match type of H with _ && _ = true => let X := fresh "X" in apply andb_prop in H as (H & X) end.
   rename X3 into X4, X2 into X3, X1 into X2, X0 into X1.
-  pose proof (fun P => simple_convex solid_G P X1 : In P (moving c) -> is_convex P = true) as X0. destruct (boundary_parts _ _ _ _ _ _ _ _ X) as (B1 & B2 & B3 & B4 & B5 & B6 & B7 & B8).
+  pose proof (fun P => simple_convex solid_G P X1 : In P (moving c) -> is_convex P = true) as X0. destruct (boundary_parts _ _ _ _ _ _ _ _ X) as (B1 & B2 & B3 & Bw & B4 & B5 & B6 & B7 & B8).
   pose proof (sum_bound X0) as Bd. pose proof (sum_center X0) as Ce. pose proof (sum_inside X0) as Is. pose proof (O_iff H) as Oi.
   pose proof (fun x => known_meet N loops slits x X3 X2) as Known.
   pose proof (fun z => winding_meet loops _ z (int_rings_meet N loops X3)) as Wind.
   unfold Statements.sweep_claim. intros p NL. rewrite Known in NL. rewrite Wind.
-  assert (Core := boundary_core N segments (moving c) [] (int_rings (Zpos N) loops) (map (int_edge N) slits) (listed_sums c) [] 1%Z at_sum Bd Ce Is).
-  assert (Limit := boundary_limits N segments (moving c) [] (int_rings (Zpos N) loops) (map (int_edge N) slits) (listed_sums c) [] 1%Z at_sum Bd Ce Is).
+  assert (Cm : (forall P P' Q v, In P segments -> In P' segments -> In Q (moving c) -> In v P -> In v P' ->
+      exists t, at_sum P Q t /\ at_sum P' Q t) /\ (are_segments segments = false -> forall P Q Q' v, In P segments ->
+      In Q (moving c) -> In Q' (moving c) -> In v Q -> In v Q' -> exists t, at_sum P Q t /\ at_sum P Q' t)).
+  { split.
+    - intros P P' Q v I I' IQ V V'. exists (third N (Sums.plus (grow 3 v) (center Q))). split; apply (sum_vertex X0); assumption.
+    - intros S P Q Q' v IP. exfalso. destruct segments as [|P0 r] eqn:E; [destruct IP|].
+      destruct (segment_spec P0) as (a & b & F); [rewrite E; left; reflexivity|]. rewrite F in S. discriminate. }
+  assert (Core := boundary_core N segments (moving c) [] (int_rings (Zpos N) loops) (map (int_edge N) slits) (listed_sums c) [] 1%Z at_sum Bd Ce Is Cm).
+  assert (Limit := boundary_limits N segments (moving c) [] (int_rings (Zpos N) loops) (map (int_edge N) slits) (listed_sums c) [] 1%Z at_sum Bd Ce Is Cm).
   assert (E1 : forall t, beyond_at N [] t -> wind_at N (int_rings (Zpos N) loops) t = 1%Z) by (intros t (f & [] & _)).
   assert (E2 : forall (f : edge) (x : qpoint), In f [] -> o (qe N f) x == 0 -> Statements.on_segment (qe N f) x \/ beyond_at N [] x) by (intros f x []).
   assert (E3 : forall f : edge, In f [] -> exists x, 0 < o (qe N f) x) by (intros f []).
-  specialize (Core E1 E2 E3 (or_introl eq_refl) B1 B2 B3 B4 B5 B6 B7 B8 p NL).
-  specialize (Limit E1 E2 E3 (or_introl eq_refl) B1 B2 B3 B4 B5 B6 B7 B8 p).
+  specialize (Core E1 E2 E3 (or_introl eq_refl) B1 B2 B3 Bw B4 B5 B6 B7 B8 p NL).
+  specialize (Limit E1 E2 E3 (or_introl eq_refl) B1 B2 B3 Bw B4 B5 B6 B7 B8 p).
   destruct Core as [(Op & W)|(NO & W)].
   - left. split; [|exact W]. apply (O_swept X4 X1 X0), Oi, Op.
   - right. split; [|exact W]. intro Sp. apply NL, Limit. split; [|exact NO].
