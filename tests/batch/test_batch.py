@@ -69,13 +69,13 @@ def test_all_pairs_are_swept_in_order(tmp_path: Path) -> None:
 PAIR = '{"generatrix": "square", "directrix": "notch"'
 
 
-def test_deep_pairs_and_strange_directions_are_error_records() -> None:
+def test_deep_pairs_and_invalid_directions_are_error_records() -> None:
     said = "the directrix is not monotone in direction (0, 1)"
     assert line_record(PAIR + ', "direction": [0, 1]}')["error"].startswith(said)
     assert line_record('{"generatrix":' + "[" * 100_000)["error"] == "nested too deeply"
 
 
-def test_a_bad_pair_stops_no_other(tmp_path: Path) -> None:
+def test_invalid_pairs_do_not_affect_others(tmp_path: Path) -> None:
     good = PAIR + "}\n"
     long = "[" + " " * 2**24 + "]\n"
     (tmp_path / "pairs.jsonl").write_text(f"\n{good}x\n \n{long}{good}{good[:-1]}")
@@ -102,7 +102,7 @@ def test_records_do_not_depend_on_the_chunks(polygons: list[Polygon], size: int)
         assert job.work.lines([pair]) == [line]
 
 
-def test_parts_are_read_once_and_bad_ones_are_kept(tmp_path: Path) -> None:
+def test_parts_are_read_once_and_invalid_ones_are_kept(tmp_path: Path) -> None:
     path = tmp_path / "parts.json"
     path.write_text(
         '{"polygons": [{"id": "a", "vertices": [[0,0],[1,0],[0,1]]}, [[0,0]], [[0,1,2]]]}'
@@ -231,7 +231,7 @@ def test_wrong_usage_exits_with_2(arguments: list[str], message: str) -> None:
     assert message in result.stderr
 
 
-def test_batches_under_other_limits_are_other_batches() -> None:
+def test_limits_are_part_of_the_batch_digest() -> None:
     jobs = [take_all_pairs(PARTS, PARTS)]
     for changed in ({"max_mib": 2}, {"max_mib": 3}, {"max_digits": 2}):
         with limits(**changed):

@@ -91,7 +91,7 @@ def test_lost_workers_and_schedulers_cost_no_record(
 
 
 @pytest.mark.long
-def test_a_cluster_of_its_own_survives_a_killed_worker(tmp_path: Path, command: list[str]) -> None:
+def test_a_local_cluster_survives_a_killed_worker(tmp_path: Path, command: list[str]) -> None:
     process = start([*command, "--scheduler", "local", "--workers", "2"])
     wait_for(lambda: size(tmp_path / "out.jsonl.part"), process)
     workers = children(process.pid)
@@ -104,7 +104,7 @@ def test_a_cluster_of_its_own_survives_a_killed_worker(tmp_path: Path, command: 
 
 
 @pytest.mark.long
-def test_a_missing_scheduler_is_one_line_and_leaves_no_file(
+def test_a_missing_scheduler_is_reported_and_leaves_no_file(
     tmp_path: Path, command: list[str]
 ) -> None:
     done = subprocess.run(

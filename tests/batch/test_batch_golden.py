@@ -18,7 +18,7 @@ SHAPES = {
     # Holes of 2 x 1, exactly as high as the square, and of 2 x 2.
     "plate": "POLYGON ((0 0, 9 0, 9 5, 0 5, 0 0), (1 1, 3 1, 3 2, 1 2, 1 1), "
     "(5 1, 7 1, 7 3, 5 3, 5 1))",
-    # A square that slides along the walls of the cave leaves its middle unswept.
+    # A square that slides along the walls of the undercut leaves its middle unswept.
     "cave": "POLYGON ((0 0, 10 0, 10 10, 5 10, 5 8, 8 8, 8 2, 2 2, 2 8, 3 8, 3 10, 0 10, 0 0))",
 }
 PARTS = [

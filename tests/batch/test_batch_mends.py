@@ -113,7 +113,7 @@ def test_a_write_that_fails_leaves_the_old_file(
     assert [path.name for path in tmp_path.iterdir()] == ["old.svg"]
 
 
-def test_file_names_of_invalid_utf_8_are_named(tmp_path: Path) -> None:
+def test_file_names_of_invalid_utf_8_are_reported(tmp_path: Path) -> None:
     path = tmp_path / "part-\udcff.json"
     try:
         path.write_text(Path(HOUSE).read_text())

@@ -64,9 +64,7 @@ def test_directions_of_any_length_and_ids_are_text(tmp_path: Path) -> None:
     assert (first["id"], second["id"], second["error"]) == ("7", "a", "no")
 
 
-def test_pyarrow_is_needed_for_parquet_alone(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_only_parquet_needs_pyarrow(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setitem(sys.modules, "pyarrow.parquet", None)
     job = take_all_pairs(PARTS[:2], PARTS[:1], "areas")
     for name in ("out.jsonl", "out.csv"):
@@ -74,5 +72,5 @@ def test_pyarrow_is_needed_for_parquet_alone(
         assert (tmp_path / name).read_bytes().count(b"\n") >= 2
     with pytest.raises(FormatError, match="Parquet"):
         run(job, str(tmp_path / "out.parquet"))
-    # At once, before any pair is computed.
+    # Before any pair is computed.
     assert not [*tmp_path.glob("*.part")]

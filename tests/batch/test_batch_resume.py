@@ -39,7 +39,7 @@ def longer(path: Path, length: int) -> Callable[[], bool]:
 
 
 @pytest.mark.long
-def test_killed_at_random_and_resumed(
+def test_batches_killed_at_random_resume(
     tmp_path: Path, command: list[str], whole: list[bytes]
 ) -> None:
     random = Random(5)
@@ -105,7 +105,7 @@ def test_incomplete_records_are_dropped(tmp_path: Path, garbage: bytes, whole: l
         assert part.read_bytes() == whole[0]
 
 
-def test_a_finished_part_file_only_needs_its_name(tmp_path: Path, whole: list[bytes]) -> None:
+def test_a_complete_part_file_is_only_renamed(tmp_path: Path, whole: list[bytes]) -> None:
     output, part = tmp_path / "out.jsonl", tmp_path / "out.jsonl.part"
     with Output(str(output), JOB):
         part.write_bytes(b"".join(whole))
@@ -133,7 +133,7 @@ def test_records_of_another_batch_are_not_mixed_in(tmp_path: Path, whole: list[b
             Output(str(output), JOB)
 
 
-def test_two_runs_at_once_are_refused(tmp_path: Path) -> None:
+def test_concurrent_runs_are_rejected(tmp_path: Path) -> None:
     output = str(tmp_path / "out.jsonl")
     message = r"out.jsonl: another batch is writing to it$"
     with Output(output, JOB), pytest.raises(BatchError, match=message):
@@ -143,7 +143,7 @@ def test_two_runs_at_once_are_refused(tmp_path: Path) -> None:
 
 
 @pytest.mark.usefixtures("heed_interrupts")
-def test_control_c_ends_in_one_line_and_no_process_stays(
+def test_control_c_prints_one_line_and_leaves_no_process(
     tmp_path: Path, command: list[str], whole: list[bytes]
 ) -> None:
     process = start([*command, "--workers", "2"])

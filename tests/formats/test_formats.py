@@ -26,7 +26,7 @@ POLYGONS = Path(__file__).parents[1] / "support" / "polygons"
     ("name", "polygon"),
     [("house.json", GENERATRIX), ("notch.wkt", DIRECTRIX), ("notch.geojson", DIRECTRIX)],
 )
-def test_files_have_the_built_in_example(name: str, polygon: Polygon) -> None:
+def test_the_example_files_match_the_built_in_example(name: str, polygon: Polygon) -> None:
     assert read_polygon(str(POLYGONS / name)) == polygon
 
 
@@ -78,7 +78,7 @@ def test_json_of_a_sweep_is_complete(
     ],
     ids=["lists", "objects", "closed lists", "digits", "a cell"],
 )
-def test_long_texts_are_refused_by_name(text: str, message: str) -> None:
+def test_long_texts_are_rejected_by_name(text: str, message: str) -> None:
     with pytest.raises(FormatError, match=f"^{re.escape(message)}"):
         parse_polygon(text)
 
@@ -110,7 +110,7 @@ def test_limits_apply_to_files(tmp_path: Path) -> None:
     ],
     ids=["empty", "latin", "utf-16", "enormous", "png", "svgz"],
 )
-def test_refused_files_are_named(tmp_path: Path, content: bytes, message: str) -> None:
+def test_rejected_files_are_named(tmp_path: Path, content: bytes, message: str) -> None:
     path = tmp_path / "bad file.json"
     path.write_bytes(content)
     with pytest.raises(FormatError, match=f"^{re.escape(f'{path}: {message}')}$"):
@@ -123,7 +123,7 @@ def test_a_byte_order_mark_is_ignored(tmp_path: Path) -> None:
     assert read_polygon(str(path)) == Polygon([(0, 0), (1, 0), (0, 1)])
 
 
-def test_geojson_needs_no_place_for_notes() -> None:
+def test_geojson_is_read_without_notes() -> None:
     ring = [[x, y, "9"] for x, y in ("00", "10", "01", "00")]
     (found,) = read_geojson({"type": "Polygon", "coordinates": [ring]})
     assert found.shape() == Polygon([(0, 0), (1, 0), (0, 1)])

@@ -64,7 +64,7 @@ coordinates = st.integers(-50, 50).map(float)
 
 @given(st.lists(st.tuples(coordinates, coordinates), min_size=2, max_size=12))
 @settings(max_examples=60)
-def test_splines_through_points_are_those_of_ezdxf(points: list[tuple[float, float]]) -> None:
+def test_interpolating_splines_agree_with_ezdxf(points: list[tuple[float, float]]) -> None:
     distinct = [p for p, q in zip(points, [None, *points], strict=False) if p != q]
     if len(distinct) < 2:
         return
@@ -78,13 +78,13 @@ def test_splines_through_points_are_those_of_ezdxf(points: list[tuple[float, flo
         assert abs(a - c) + abs(b - d) < 1e-6
 
 
-def test_memory_of_splines_is_linear_in_their_points() -> None:
+def test_interpolating_splines_need_linear_memory() -> None:
     """A matrix of all points took 6 GB."""
     points = [Point(Fraction(k), Fraction(k * k % 17)) for k in range(16_000)]
     assert len(Spline.through(points).points) == 3 * 16_000 - 2
 
 
-def test_pieces_of_high_degree_are_values_of_the_curve() -> None:
+def test_bezier_pieces_of_high_degree_lie_on_the_curve() -> None:
     controls = [Point(Fraction(k), Fraction(k * k % 7)) for k in range(14)]
     knots = [Fraction(k) for k in [0] * 12 + [2, 5] + [6] * 12]
     spline = Spline(11, controls, knots)
@@ -105,7 +105,7 @@ def test_names_of_invalid_utf_8_are_rejected() -> None:
         format_polygons([NamedPolygon(UNIT, "left\udcff")], "csv")
 
 
-def test_a_table_is_charged_for_its_lines() -> None:
+def test_tables_are_charged_by_line() -> None:
     assert measure_written("id,x,y\na,0,0\na,1,0\na,0,1\n") == 4 * 16
     assert measure_written("x,y\n0,0\n1,0\n0,1\n") == 4 * 16
     assert measure_written("<svg>" + "<g/>" * 9) == 10 * ELEMENT
@@ -118,12 +118,12 @@ def test_a_table_is_charged_for_its_lines() -> None:
         dxf(*([polyline((0, 0), (1, 0), (0, 1))] * 5)),
     ],
 )
-def test_a_text_is_read_at_its_own_limit(text: str) -> None:
+def test_a_text_fits_its_measured_limit(text: str) -> None:
     with limits(max_mib=measure_written(text) / 2**20):
         assert parse_regions(text)
 
 
-def test_readers_of_csv_in_other_threads_keep_their_limit() -> None:
+def test_csv_readers_in_other_threads_keep_their_limit() -> None:
     before = csv.field_size_limit()
     held: list[int] = []
     with patch.object(formats_csv, "_parse", lambda text: held.append(csv.field_size_limit())):

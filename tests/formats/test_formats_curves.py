@@ -54,7 +54,7 @@ def distance(p: Point, line: list[Point]) -> Fraction:
 
 
 def squared_distance(p: Point, a: Point, b: Point) -> Fraction:
-    """Of a point from a line segment."""
+    """The square of the distance of a point from a segment."""
     dx, dy = b.x - a.x, b.y - a.y
     length = dx * dx + dy * dy
     t = ((p.x - a.x) * dx + (p.y - a.y) * dy) / length if length else Fraction(0)
@@ -65,7 +65,7 @@ def squared_distance(p: Point, a: Point, b: Point) -> Fraction:
 def assert_close_to_circle(
     line: list[Point], center: Point, square: Fraction, tolerance: Fraction
 ) -> None:
-    """All of the line is in the ring of points within the tolerance of a circle."""
+    """Return whether a line lies in the annulus of a tolerance around a circle."""
     # r lies between these two.
     above = round_root_up(square)
     below = square / above if above else Fraction(0)
@@ -108,7 +108,7 @@ def test_arcs_over_a_chord_stay_within_the_tolerance(
     assert (line[0], line[-1]) == (first, last)
     square = (first.x - center.x) ** 2 + (first.y - center.y) ** 2
     assert_close_to_circle(line, center, square, tolerance)
-    # The top of the arc is bulge half chords to the right of the middle of the chord.
+    # The apex of the arc is `bulge` half chords right of the midpoint of the chord.
     dx, dy = (last.x - first.x) / 2, (last.y - first.y) / 2
     top = Point(first.x + dx + bulge * dy, first.y + dy - bulge * dx)
     assert distance(top, line) <= tolerance**2
@@ -157,7 +157,7 @@ def test_elliptic_arcs_stay_within_the_tolerance(
     arc = make_elliptic_arc((first, last), (rx, ry), degrees, (large, left), IDENTITY)
     line = draw(arc, ends, tol)
     assert (line[0], line[-1]) == (first, last)
-    # The center, found again in floats; it is as good as it needs to be.
+    # The center, recomputed in floats, which suffice here.
     cosine, sine = cos(float(degrees) * pi / 180), sin(float(degrees) * pi / 180)
     (x0, y0), (x1, y1) = (
         (float(x) * cosine + float(y) * sine, float(y) * cosine - float(x) * sine) for x, y in ends
@@ -221,7 +221,7 @@ def test_areas_converge(shape: str) -> None:
     assert abs(float(polygon.area) - SHAPES[shape]) < 2e-4
 
 
-def test_too_many_lines_are_rejected_early() -> None:
+def test_too_many_chords_are_rejected_early() -> None:
     with pytest.raises(FormatError, match=r"circle: a curve needs 3,206,376,105 chords at"):
         parse_polygon("<svg><circle r='1'/></svg>", tolerance="1e-18")
     with pytest.raises(FormatError, match=r"needs more than 10\*\*12 chords at this"):
@@ -245,7 +245,7 @@ weights_of = st.lists(st.fractions(Fraction(1, 20), 3, max_denominator=20), min_
 
 @given(st.lists(points, min_size=3, max_size=3), weights_of, st.integers(1, 15))
 @fewer
-def test_the_bend_of_a_curve_with_weights_is_bounded(
+def test_second_derivatives_of_rational_curves_are_bounded(
     corners: list[Point], weights: list[Fraction], place: int
 ) -> None:
     """Second differences are values of the second derivative, coordinate by coordinate."""
@@ -256,7 +256,7 @@ def test_the_bend_of_a_curve_with_weights_is_bounded(
     assert abs(before.y - 2 * here.y + after.y) <= bound * step**2
 
 
-def test_the_bend_does_not_depend_on_the_unit_of_the_weights() -> None:
+def test_the_bound_is_invariant_under_scaling_of_the_weights() -> None:
     corners = [Point(Fraction(x), Fraction(y)) for x, y in [(0, 0), (5, 1), (4, 7)]]
     weights = [Fraction(1), Fraction(1, 2), Fraction(3)]
     bound, scaled = (Bezier(corners, [k * w for w in weights]).bend() for k in (1, 7))
@@ -334,7 +334,7 @@ def test_products_of_maps_bound_their_error(
     st.lists(st.tuples(*[st.integers(-9, 9)] * 2, st.integers(1, 9)), min_size=2, max_size=5),
     st.tuples(*[st.integers(-99, 99)] * 2),
 )
-def test_the_bend_is_invariant_under_translation(
+def test_the_bound_is_invariant_under_translation(
     given: list[tuple[int, int, int]], by: tuple[int, int]
 ) -> None:
     weights = [Fraction(w) for _, _, w in given]
@@ -344,7 +344,7 @@ def test_the_bend_is_invariant_under_translation(
     assert Bezier(here, weights).bend() == Bezier(there, weights).bend()
 
 
-def test_huge_numbers_of_lines_are_abridged() -> None:
+def test_huge_numbers_of_chords_are_abbreviated() -> None:
     reading = Reading(tolerance=Fraction(1))
     with pytest.raises(FormatError, match="needs 1,000,000,000,000 chords"):
         reading.allow_lines(10**12)
@@ -371,7 +371,7 @@ def test_scaled_elliptic_arcs_have_their_width(place: int, sign: int) -> None:
     arc = make_elliptic_arc(ends, (one, one), zero, how, image)
     found = draw(arc, (image.point(*end) for end in ends), Fraction(1, 10))
     across = [p.x + p.y for p in found]
-    # Up and to the left of the middle of the chord by the height of a triangle of equal sides.
+    # Up and left of the midpoint of the chord by the height of an equilateral triangle.
     height = round_root_up(Fraction(3, 4), 10**20)
     center = image.point(Fraction(3, 10) + height * 4 / 5, Fraction(2, 5) - height * 3 / 5)
     middle, reach = center.x + center.y, 10**4

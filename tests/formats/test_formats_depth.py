@@ -51,7 +51,7 @@ def is_in(inner: Box, outer: Box) -> bool:
 @examples(200)
 @given(st.sets(boxes, min_size=1, max_size=7).map(sorted))
 def test_outlines_are_nested_by_the_definition(rings: list[Box]) -> None:
-    """A chain of others around one decides; without a chain it is ambiguous."""
+    """The outlines around a ring must form a chain; otherwise it is ambiguous."""
     found = nest_outlines(parse_candidates(write_svg(*rings)))
     around = {b: [a for a in rings if a != b and is_in(b, a)] for b in rings}
     chained = {
@@ -78,13 +78,13 @@ def test_outlines_are_nested_by_the_definition(rings: list[Box]) -> None:
         assert {corners(hole.vertices()) for hole in one.holes()} == holes
 
 
-def test_parts_that_cross_keep_their_holes() -> None:
+def test_crossing_parts_keep_their_holes() -> None:
     text = write_svg((0, 0, 9, 9), (1, 1, 3, 3), (8, 0, 17, 9), (10, 1, 12, 3))
     found = parse_regions(text, nested=True)
     assert [len(one.region.holes) for one in found] == [1, 1]
 
 
-def test_a_hole_of_two_parts_that_cross_is_named() -> None:
+def test_a_hole_in_two_crossing_parts_is_reported() -> None:
     text = write_svg((0, 0, 9, 9, 'id="a"'), (4, 0, 13, 9, 'id="b"'), (5, 1, 7, 3, 'id="h"'))
     found = parse_regions(text, nested=True)
     assert len(found) == 2
@@ -98,16 +98,16 @@ def test_a_hole_of_two_parts_that_cross_is_named() -> None:
     assert "which cross (skipped)" in unchecked
 
 
-def test_copies_of_a_part_have_the_copies_of_its_hole() -> None:
+def test_copies_of_a_part_keep_copies_of_its_hole() -> None:
     plate, hole = (0, 0, 9, 9), (1, 1, 3, 3)
     found = parse_regions(write_svg(plate, hole, plate, hole), nested=True)
     assert [len(one.region.holes) for one in found] == [1, 1]
-    # A part that fills a hole exactly is drawn like the hole.
+    # A part that fills a hole exactly looks like the hole.
     found = parse_regions(write_svg(plate, hole, hole), nested=True)
     assert [len(one.region.holes) for one in found] == [1, 0]
 
 
-def test_an_outline_that_is_not_simple_stands_alone() -> None:
+def test_outlines_that_are_not_simple_are_not_nested() -> None:
     text = '<svg><rect id="sheet" width="9" height="9"/><path id="p" d="M1 1H4V4H1z"/></svg>'
     bow = text.replace("</svg>", '<path id="bow" d="M2 2L3 3V2L2 3z"/></svg>')
     (layout,) = parse_layouts(bow)
@@ -151,7 +151,7 @@ def test_other_outlines_on_the_layer_of_the_sheet_are_defects() -> None:
     assert f"1 outline {place} read as a defect" in layout.notes
 
 
-def test_several_sheets_are_several_layouts() -> None:
+def test_each_sheet_is_a_layout() -> None:
     sheets = layer("sheets", SHEET, (20, 0, 29, 9))
     text = on_layers(sheets, layer("cut", (*PART, 'id="p"'), (21, 1, 23, 3, 'id="q"')))
     with pytest.raises(FormatError, match="no outline contains all others"):
@@ -169,7 +169,7 @@ def test_candidates_for_the_container_are_listed() -> None:
         parse_layouts(text.replace("'a'", "'able'"), container="bb")
 
 
-def test_layers_are_chosen_without_case() -> None:
+def test_layer_names_ignore_case() -> None:
     text = on_layers(layer("Cut", (*PART, 'id="p"')), layer("engrave", (4, 4, 5, 5)))
     assert [one.name for one in parse_regions(text, layers=["CUT"])] == ["p"]
     found = parse_regions(text, ignored_layers=["Engrave"])
@@ -183,7 +183,7 @@ def test_layers_are_chosen_without_case() -> None:
         parse_regions(text, layers="Cut")
 
 
-def test_a_fault_on_a_layer_names_the_option() -> None:
+def test_errors_on_a_layer_suggest_ignoring_it() -> None:
     text = on_layers(layer("cut", SHEET, PART)).replace(
         "</g>", '<path fill="none" d="M5 5H6V6"/></g>'
     )
@@ -220,7 +220,7 @@ NOTCHED = "0,0 4,0 2,2 4,4 0,4", "0,0 4,0 4,4 2,2 0,4"
     ],
     ids=["same corners", "with a hole"],
 )
-def test_another_shape_with_the_vertices_of_the_container_is_no_copy(other: str) -> None:
+def test_another_shape_with_the_vertices_of_the_container_is_not_a_copy(other: str) -> None:
     part = '<rect x="0.1" y="1" width="0.1" height="0.1"/>'
     text = f'<svg><polygon points="{NOTCHED[0]}"/>{other}{part}</svg>'
     (found,) = parse_layouts(text, container="0")
@@ -249,7 +249,7 @@ def test_an_open_shape_in_a_hole_may_be_a_part(around: str) -> None:
         parse_layouts(drawing % "3,3 5,3 5,5 3,5 3,3.1")
 
 
-def test_an_open_shape_in_a_closed_one_of_its_layer_is_engraving() -> None:
+def test_open_shapes_inside_a_part_are_engraving() -> None:
     line = '<path fill="none" d="M2.5 2.5h1v1"/>'
     engraving = layer("engrave", (2, 2, 6, 6)).replace("</g>", f"{line}</g>")
     (found,) = parse_layouts(

@@ -183,7 +183,7 @@ def test_the_same_region_is_read_in_both_directions() -> None:
 
 @pytest.mark.parametrize("tolerance", ["1", "1/10", "1/100", "1/1000", "1e-6"])
 @pytest.mark.parametrize("more", ["0.4142135623731", "0.41421357", "0.414213562373095049"])
-def test_a_bulge_about_a_quarter_circle_leaves_no_spike(more: str, tolerance: str) -> None:
+def test_bulges_near_a_quarter_circle_leave_no_spike(more: str, tolerance: str) -> None:
     corners = [(3, 0), (27, 0), (30, 3), (30, 7), (27, 10), (3, 10), (0, 7), (0, 3)]
     text = draw_polyline(corners, [0, more] * 4)
     (part,) = parse_polygons(text, tolerance=tolerance)
@@ -215,7 +215,7 @@ def test_rounded_shapes_near_contact_are_never_judged_wrongly(seed: int) -> None
     assert not compare_rounded(draw_rounded(rng), rng, True)
 
 
-def test_outlines_that_cross_are_filled_by_their_rule() -> None:
+def test_crossing_outlines_are_filled_by_their_rule() -> None:
     star = "M5 0L8 9L0 3.5H10L2 9Z"
     whole, ends = (
         parse_regions(f'<svg><path fill-rule="{rule}" d="{star}"/></svg>')

@@ -65,7 +65,7 @@ def test_an_invalid_number_is_named(count: int) -> None:
 
 
 @pytest.mark.parametrize("code", [30, 31, 32, 33])
-def test_each_corner_of_a_solid_is_at_one_level(code: int) -> None:
+def test_corners_of_a_solid_have_equal_heights(code: int) -> None:
     corners = [(10, 0), (20, 0), (11, 2), (21, 0), (12, 0), (22, 2), (13, 2), (23, 2)]
     flat, bent = (dxf([(0, "SOLID"), *corners, (code, z)]) for z in (0, 1))
     assert parse_polygon(flat) == SQUARE
@@ -79,7 +79,7 @@ def test_lines_form_their_polygons_in_any_order_and_direction(
 ) -> None:
     rings = [one, [(x + 10**6, y) for x, y in other]]
     lines = [(*ring[k - 1], *p) for ring in rings for k, p in enumerate(ring)]
-    # The file may begin anywhere on a ring, and so have two chains of it.
+    # A file that begins inside a ring has two chains of it.
     first = data.draw(st.integers(0, len(lines)))
     lines = lines[first:] + lines[:first]
     if data.draw(st.booleans()):
@@ -146,7 +146,7 @@ def test_lines_in_any_order_are_joined_exactly(polygon: Polygon, random: object)
     assert parse_polygon(dxf(*lines)) == expected
 
 
-def test_old_code_pages_and_binary_files(tmp_path: Path) -> None:
+def test_old_code_pages_are_read_and_binary_files_rejected(tmp_path: Path) -> None:
     path = tmp_path / "old.dxf"
     text = dxf([(0, "LWPOLYLINE"), (8, "Außen"), *polyline((0, 0), (1, 0), (0, 1))[1:]])
     path.write_text(text, encoding="cp1252")
@@ -171,7 +171,7 @@ def test_ezdxf_reads_written_drawings(polygon: Polygon) -> None:
 
 
 def test_rejected_entities_of_a_block_hide_no_others() -> None:
-    """The refusal is reported, and the polygon after it is read."""
+    """The error is reported, and the next polygon is read."""
 
     def draw(space: Modelspace) -> None:
         assert space.doc
@@ -206,7 +206,7 @@ def test_a_thin_outline_with_joined_ends_is_kept(turned: bool) -> None:
 
 
 def draw_outlines(shapes: list[list[tuple[int, int]]], point: str = "") -> list[Tags]:
-    """Lines of outlines side by side, in order; the texts of their first x end in some way."""
+    """Lines of adjacent outlines, in order; `point` completes the text of each first x."""
     return [
         line(f"{a + 9 * k}{point}", b, c + 9 * k, d)
         for k, shape in enumerate(shapes)
@@ -232,7 +232,7 @@ def test_lines_of_several_outlines_are_independent(
     assert [part.polygon for part in together] == [part.polygon for part in alone]
 
 
-def test_the_order_of_lines_does_not_cost_time() -> None:
+def test_cost_does_not_depend_on_the_order_of_lines() -> None:
     lines = draw_outlines([CORNERS] * 100)
     in_order, shuffled = (
         count_calls(partial(parse_polygons, dxf(*entities)))

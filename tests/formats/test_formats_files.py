@@ -47,16 +47,14 @@ several = st.lists(parts, min_size=1, max_size=4)
 
 @given(several)
 @examples(40)
-def test_exact_json_comes_back_whole(polygons: list[NamedPolygon]) -> None:
+def test_exact_json_round_trips(polygons: list[NamedPolygon]) -> None:
     assert parse_polygons(format_polygons(polygons, "json")) == polygons
 
 
 @pytest.mark.parametrize("form", DECIMALS)
 @given(polygons=several, exponent=st.integers(-40, 40))
 @examples(30)
-def test_decimals_come_back_whole(
-    form: str, polygons: Sequence[NamedPolygon], exponent: int
-) -> None:
+def test_decimals_round_trip(form: str, polygons: Sequence[NamedPolygon], exponent: int) -> None:
     factor = Fraction(10) ** exponent
     scaled = [
         NamedPolygon(
@@ -123,7 +121,7 @@ def test_names_come_before_indices(tmp_path: Path) -> None:
     assert read_polygon(f"{path}#x") == polygons[1].polygon
 
 
-def test_a_file_with_the_sign_in_its_name_is_a_file(tmp_path: Path) -> None:
+def test_file_names_may_contain_a_number_sign(tmp_path: Path) -> None:
     path = tmp_path / "a#0"
     path.write_text(format_polygons([TRIANGLE], "wkt"))
     assert read_polygon(str(path)) == read_polygon(f"{path}#0") == TRIANGLE
@@ -131,7 +129,7 @@ def test_a_file_with_the_sign_in_its_name_is_a_file(tmp_path: Path) -> None:
         read_polygon(str(tmp_path / "b#0"))
 
 
-def test_names_may_have_the_sign(tmp_path: Path) -> None:
+def test_polygon_names_may_contain_a_number_sign(tmp_path: Path) -> None:
     path = tmp_path / "a#b.json"
     moved = TRIANGLE.translated((5, 0))
     path.write_text(
@@ -144,13 +142,13 @@ def test_names_may_have_the_sign(tmp_path: Path) -> None:
 
 
 @given(strategies.simple_polygons())
-def test_arrays_of_fractions_come_back_whole(polygon: Polygon) -> None:
+def test_arrays_of_fractions_round_trip(polygon: Polygon) -> None:
     assert from_numpy(to_numpy(polygon)) == polygon
 
 
 @given(strategies.simple_polygons())
 @examples(50)
-def test_floats_come_back_whole_or_are_rejected(polygon: Polygon) -> None:
+def test_floats_round_trip_or_are_rejected(polygon: Polygon) -> None:
     exact = all(Fraction(float(c)) == c for vertex in polygon.vertices for c in vertex)
     if exact:
         assert from_shapely(to_shapely(polygon)) == polygon
@@ -173,7 +171,7 @@ def test_floats_come_back_whole_or_are_rejected(polygon: Polygon) -> None:
         (shapely.Polygon(), "the polygon is empty"),
     ],
 )
-def test_other_geometries_are_refused(geometry: object, message: str) -> None:
+def test_other_geometries_are_rejected(geometry: object, message: str) -> None:
     with pytest.raises(FormatError, match=f"^{message}$"):
         from_shapely(geometry)
 

@@ -18,7 +18,7 @@ RULES: dict[Rule, Callable[[int], object]] = {
 }
 points = st.builds(Point, *[st.integers(0, 6).map(Fraction)] * 2)
 rings = st.lists(st.lists(points, min_size=3, max_size=6), min_size=1, max_size=4)
-# Off all lines through points of the lattice.
+# Not on any line through lattice points.
 places = [
     Point(Fraction(2 * i + 1, 2003) * 499, Fraction(2 * k + 1, 1999) * 497)
     for i in range(-1, 15)
@@ -27,7 +27,7 @@ places = [
 
 
 def find_winding_number(ring: Sequence[Point], place: Point) -> int:
-    """Count the edges that cross the ray from a place to the right, by their directions."""
+    """Count the signed crossings of a ray to the right."""
     number = 0
     for a, b in zip(ring, [*ring[1:], ring[0]], strict=True):
         if (a.y <= place.y) != (b.y <= place.y):

@@ -1,4 +1,4 @@
-"""Axis direction and unit: readers see what the author sees, and writers keep it."""
+"""Axis direction and unit survive reading and writing."""
 
 import re
 from fractions import Fraction
@@ -114,7 +114,7 @@ def test_units_survive_writing_and_reading(unit: str, form: str, ells: dict[str,
     assert parse_regions(text, unit="mm")[0].region == millimetres.region.scaled(381)
 
 
-def test_svg_is_lines_in_a_margin_at_their_size(ells: dict[str, str]) -> None:
+def test_svg_has_the_size_of_its_outlines_and_a_margin(ells: dict[str, str]) -> None:
     done = run("convert", ells["dxf"], "--to", "svg")
     root = ElementTree.fromstring(done.stdout)
     assert (root.get("fill"), root.get("stroke")) == ("none", "black")
@@ -127,7 +127,7 @@ def test_svg_is_lines_in_a_margin_at_their_size(ells: dict[str, str]) -> None:
     assert Fraction(str(root.get("stroke-width"))) < width / 50
 
 
-def test_different_units_are_noticed(ells: dict[str, str], tmp_path: Path) -> None:
+def test_different_units_are_reported(ells: dict[str, str], tmp_path: Path) -> None:
     inches = tmp_path / "inches.dxf"
     inches.write_text(
         format_polygons([Region(ELL)], "dxf", coordinates=Coordinates(unit=Fraction("25.4")))
@@ -137,7 +137,7 @@ def test_different_units_are_noticed(ells: dict[str, str], tmp_path: Path) -> No
     assert "--unit" in refusal(run("nfp", ells["json"], str(inches), "--unit", "cm"))
 
 
-def test_insunits_14_is_a_decimetre() -> None:
+def test_insunits_14_is_a_decimeter() -> None:
     text = format_polygons([Region(ELL)], "dxf", coordinates=Coordinates(unit=Fraction(100)))
     assert re.search(r"\$INSUNITS\n 70\n14\n", text)
     assert parse_regions(text, unit="cm")[0].region == Region(ELL).scaled(10)

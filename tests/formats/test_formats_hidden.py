@@ -1,4 +1,4 @@
-"""Hidden geometry is not a part; ornaments reject no file; reports list omissions."""
+"""Hidden geometry is skipped; ornaments do not reject a file; reports list omissions."""
 
 from collections.abc import Callable
 from io import StringIO
@@ -50,7 +50,7 @@ def hidden(d: Document) -> None:
 
 def test_hidden_entities_of_dxf_are_counted() -> None:
     parts = parse_polygons(dxf(hidden))
-    # A block on a layer that is off shows what it draws on others; on a frozen one, nothing.
+    # A block on a layer that is off still draws on other layers; on a frozen one, it draws nothing.
     assert [part.layer for part in parts] == ["cut", "guide", "cut"]
     assert [part.polygon.area for part in parts] == [1600, 1600, 9]
     assert parts.left_out == [

@@ -91,7 +91,7 @@ def filled(found: list[Box], even_odd: bool) -> set[Cell]:
 
 
 def have_common_edges(found: list[Box]) -> bool:
-    """Decide whether two boxes have a unit of their boundaries in common."""
+    """Return whether the boundaries of two boxes share a unit segment."""
     seen: list[tuple[Cell, Cell]] = []
     for x, y, width, height, _ in found:
         seen += [((i, j), (i + 1, j)) for i in range(x, x + width) for j in (y, y + height)]
@@ -101,7 +101,7 @@ def have_common_edges(found: list[Box]) -> bool:
 
 @examples(300)
 @given(boxes, st.booleans())
-def test_the_fill_rules_are_those_of_counting(found: list[Box], even_odd: bool) -> None:
+def test_fill_rules_agree_with_counting(found: list[Box], even_odd: bool) -> None:
     rule = "evenodd" if even_odd else "nonzero"
     data = "".join(map(path_of, found))
     text = f"<svg><path fill-rule='{rule}' d='{data}'/></svg>"

@@ -38,7 +38,7 @@ names = st.none() | st.sampled_from(["a", "b&<", "7"])
 
 @examples(60)
 @given(regions((*DECIMAL, Fraction(2, 3))), names)
-def test_exact_json_comes_back_whole(region: Region, name: str | None) -> None:
+def test_exact_json_round_trips(region: Region, name: str | None) -> None:
     named = NamedRegion(region, name)
     assert parse_regions(format_polygons([named], "json")) == [named]
     assert parse_regions(format_polygons([named, named], "json")) == [named, named]
@@ -47,7 +47,7 @@ def test_exact_json_comes_back_whole(region: Region, name: str | None) -> None:
 @pytest.mark.parametrize("form", HOLDING)
 @examples(60)
 @given(region=regions(DECIMAL), name=names)
-def test_decimals_come_back_whole(form: str, region: Region, name: str | None) -> None:
+def test_decimals_round_trip(form: str, region: Region, name: str | None) -> None:
     assert parse_region(format_polygons([region], form)) == region
     named = NamedRegion(region, None if form == "wkt" else name)
     other = NamedRegion(Region([(0, 0), (1, 0), (0, 1)]))

@@ -44,14 +44,14 @@ def read_jagua(*turns: float, **changes: Any) -> list[FoundLayout]:
 
 
 @pytest.mark.parametrize("turn", [30.000002, 30.000001907348633])
-def test_a_turn_that_jagua_rounds_is_the_allowed_one(turn: float) -> None:
+def test_rotations_rounded_by_jagua_are_allowed(turn: float) -> None:
     (found,) = read_jagua(turn)
     assert kinds(found) == []
     assert found.data["placements"][0]["turn"] == str(turn)
     assert found.notes == (f"item 0: the rotation {turn} is 30 in single precision",)
 
 
-def test_a_turn_that_jagua_rounds_is_noted_once() -> None:
+def test_rotations_rounded_by_jagua_are_noted_once() -> None:
     (note,) = read_jagua(30.000002)[0].notes
     for found in read_jagua(30.000002, 0, 30.000002):
         assert (found.notes, found.unchecked) == ((note,), ("container 0: 3 used, 2 in stock",))
@@ -59,12 +59,12 @@ def test_a_turn_that_jagua_rounds_is_noted_once() -> None:
 
 
 @pytest.mark.parametrize("turn", [30.00001, 29.999998, 60])
-def test_other_turns_are_not_allowed(turn: float) -> None:
+def test_other_rotations_are_not_allowed(turn: float) -> None:
     assert kinds(read_jagua(turn)[0]) == ["turn"]
 
 
 @pytest.mark.parametrize("turn", [30, 390, -330, 0, 360])
-def test_a_whole_turn_changes_nothing(turn: float) -> None:
+def test_a_full_rotation_changes_nothing(turn: float) -> None:
     (found,) = read_jagua(turn)
     assert (kinds(found), found.notes) == ([], ())
 
@@ -132,17 +132,15 @@ def test_the_margin_of_all_bins_is_kept() -> None:
 
 
 @pytest.mark.parametrize(("copies", "notes"), [(-1, []), (0, ["container 0: 1 used, 0 in stock"])])
-def test_no_copies_of_a_bin_are_none_and_negative_ones_any_number(
-    copies: int, notes: list[str]
-) -> None:
+def test_zero_copies_mean_none_and_negative_ones_any_number(copies: int, notes: list[str]) -> None:
     assert [*read_packed(bin={"copies": copies}).unchecked] == notes
 
 
-def test_items_are_not_mirrored_if_nothing_says_so() -> None:
+def test_items_are_not_mirrored_by_default() -> None:
     assert kinds(read_packed(None)) == []
 
 
-def test_turns_for_mirrored_copies_are_rules() -> None:
+def test_rotations_of_mirrored_copies_are_rules() -> None:
     turns = [{"start": 0, "end": 0}, {"start": 180, "end": 180}]
     assert kinds(read_packed(mirror=True, item={"allowed_rotations": turns})) == ["mirror"]
     any_turn = {"allowed_rotations": turns, "allow_mirroring": True}

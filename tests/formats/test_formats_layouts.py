@@ -65,7 +65,7 @@ def test_a_drawing_of_dxf() -> None:
     assert len(found.data["parts"]) == 2
 
 
-def test_files_are_named_in_refusals(tmp_path: Path) -> None:
+def test_errors_name_files(tmp_path: Path) -> None:
     file, instance = tmp_path / "file", tmp_path / "instance"
     file.write_text(nests.FILES["svgnest.svg"][0], encoding="utf-8")
     instance.write_text("[]", encoding="utf-8")

@@ -79,7 +79,7 @@ def test_outlines_of_a_group_are_one_region() -> None:
     assert [part.name for part in parse_regions(GROUP)] == ["sheet", None, None]
 
 
-def test_a_group_of_separate_outlines_is_no_single_region(tmp_path: Path) -> None:
+def test_a_group_of_separate_outlines_is_not_one_region(tmp_path: Path) -> None:
     text = GROUP.replace("</g></g>", '</g><rect x="6" width="1" height="1"/></g>')
     with pytest.raises(
         FormatError, match=r"^the group 'part' has 2 outlines, not one; choose one by index$"

@@ -111,7 +111,7 @@ def test_a_sheet_lists_its_own_parts_only() -> None:
     assert [[part["id"] for part in one.data["parts"]] for one in found] == [[k] for k in "0123"]
 
 
-def test_a_drawing_of_one_outline_is_no_layout() -> None:
+def test_a_drawing_of_one_outline_is_not_a_layout() -> None:
     with pytest.raises(FormatError, match=r"^only one outline found; a layout needs"):
         parse_layouts("[[0, 0], [2, 0], [2, 1]]")
 
@@ -126,7 +126,7 @@ def test_parts_inherit_the_fill_rule() -> None:
         assert part["holes"] == [[["1/2", "1/2"], ["1/2", "1"], ["1", "1"], ["1", "1/2"]]]
 
 
-def test_of_two_items_with_one_id_the_first_counts_as_in_viewers() -> None:
+def test_the_first_of_two_items_with_one_id_counts() -> None:
     other = '<defs><g id="item_0"><path d="M0 0H1V1z"/></g></defs>'
     assert read_sparrow(other + USE).data == read_sparrow(USE).data
 
@@ -154,7 +154,7 @@ def test_a_group_may_be_the_container_with_its_defects() -> None:
         read(f'<g id="pair">{PART}<path d="M4 4h2v2z"/></g>', container="pair")
 
 
-def test_artwork_around_a_part_is_doubtful_as_a_hole() -> None:
+def test_artwork_around_a_part_may_not_be_a_hole() -> None:
     """Without the outline on the other layer, the inner part overlaps the outer one."""
     layer = '<g xmlns:i="http://www.inkscape.org/namespaces/inkscape" i:groupmode="layer" i:label='
     cut = f'{layer}"cut"><path id="a" d="M1 1H8V8H1z"/><path id="b" d="M3 3H4V4H3z"/></g>'

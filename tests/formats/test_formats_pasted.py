@@ -86,7 +86,7 @@ def test_open_rings_of_wkt_are_closed_with_a_note() -> None:
     assert found.notes == ["1 open ring closed, the first at line 1, column 10"]
 
 
-def test_instances_give_their_parts() -> None:
+def test_parts_of_instances_are_read() -> None:
     shape = {"type": "simple_polygon", "data": [[0, 0], [2, 0], [0, 2]]}
     instance = {"name": "own", "items": [{"id": 4, "demand": 2, "shape": shape}], "strip_height": 9}
     (part,) = parse_polygons(json.dumps(instance))
@@ -118,7 +118,7 @@ def draw_lwpolyline(layer: str, height: str) -> str:
     return f"0\nLWPOLYLINE\n8\n{layer}\n70\n1\n{corners}210\n0\n220\n0\n230\n{height}\n"
 
 
-def test_a_layer_may_have_the_name_of_an_index() -> None:
+def test_layer_names_may_look_like_an_index() -> None:
     drawn = draw_lwpolyline("cut", "1") + draw_lwpolyline("0", "2.5")
     text = f"0\nSECTION\n2\nENTITIES\n{drawn}0\nENDSEC\n0\nEOF\n"
     found = parse_polygons(text)

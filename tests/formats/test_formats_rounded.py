@@ -161,14 +161,14 @@ def test_dots_with_round_caps_are_discs(dot: str) -> None:
 
 @pytest.mark.parametrize("cap", ["butt", "square"])
 @pytest.mark.parametrize("dot", ['<path d="M1 2h0" {}/>', '<path d="M1 2z" {}/>'])
-def test_strokes_of_no_length_are_reported(dot: str, cap: str) -> None:
+def test_strokes_of_length_zero_are_reported(dot: str, cap: str) -> None:
     dot = dot.format(f'id="tick" stroke="red" stroke-linecap="{cap}"')
     (found,) = parse_layouts(f'<svg>{dot}<rect width="9" height="9"/></svg>', container=False)
     assert len(found.data["parts"]) == 1
     assert any("'tick': a stroke of length zero" in note for note in found.notes)
 
 
-def test_a_single_point_is_no_dot() -> None:
+def test_a_single_point_is_not_a_dot() -> None:
     point = '<polyline points="1,2" stroke="red" stroke-linecap="round"/>'
     assert len(read(f'{point}<circle r="9"/>')) == 1
 

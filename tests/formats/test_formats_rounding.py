@@ -27,7 +27,7 @@ def turned(polygon: Polygon, divisor: int) -> Region:
 
 @fewer
 @given(strategies.simple_polygons(), st.sampled_from([7, 30, 333, 10**6 + 3]), st.integers(0, 2))
-def test_regions_grow_and_shrink_for_certain(polygon: Polygon, divisor: int, places: int) -> None:
+def test_regions_provably_grow_and_shrink(polygon: Polygon, divisor: int, places: int) -> None:
     region = turned(polygon, divisor)
     grown, shrunk = (round_region(region, places, side) for side in ("outward", "inward"))
     assert grown.region is not None
@@ -60,7 +60,7 @@ def tiny(v: Point) -> Polygon:
 @fewer
 @given(strategies.simple_polygons(), st.integers(0, 3))
 @example(Polygon([(0, 0), (1, 0), (0, 1)]), 0)
-def test_the_distance_bounds_that_of_old_and_new_rings(polygon: Polygon, places: int) -> None:
+def test_the_distance_between_old_and_new_rings_is_bounded(polygon: Polygon, places: int) -> None:
     region = turned(polygon, 77)
     found = round_region(region, places, "outward")
     assert found.region is not None
@@ -103,7 +103,7 @@ def test_places_at_the_limits_are_allowed(places: int) -> None:
 @given(st.lists(st.tuples(*[st.integers(1, 18)] * 2), min_size=1, max_size=9, unique=True))
 @example([(9, 10), (10, 9), (11, 10), (10, 11)])
 @example([(9, 9), (10, 9), (11, 9), (9, 10), (11, 10), (9, 11), (10, 11), (11, 11)])
-def test_free_regions_shrink_for_certain_where_holes_meet(corners: list[tuple[int, int]]) -> None:
+def test_free_regions_provably_shrink_where_holes_meet(corners: list[tuple[int, int]]) -> None:
     plate = [(0, 0), (20, 0), (20, 20), (0, 20)]
     low, high = Fraction(1, 300), Fraction(299, 300)
     square = [(low, low), (high, low), (high, high), (low, high)]

@@ -49,7 +49,7 @@ FREE = {"rotation": {"mode": "continuous"}}
         (STEPPED, at(20, 20, 45), ["turn"]),
         (FREE, at(20, 20, 45), []),
         (FREE, at(20, 20, 0, reflected=True), ["mirror"]),
-        # At the Y axis: reflected at the X axis, then turned by 180 degrees.
+        # Mirroring in the Y axis is mirroring in the X axis and rotating by 180 degrees.
         ({**FIXED, "reflection_axes": [90]}, at(20, 20, 180, reflected=True), []),
         ({**FIXED, "reflection_axes": [90]}, at(20, 20, 0, reflected=True), ["turn"]),
         ({**FIXED, "reflection_axes": [0]}, at(20, 20, 0, reflected=True), []),
@@ -63,7 +63,7 @@ def test_orientations_are_rules(orientation: Any, motion: Any, faults: list[str]
     assert judge(solve(orientation, motion)) == faults
 
 
-def test_reflected_items_are_drawn_at_the_x_axis() -> None:
+def test_reflected_items_are_mirrored_in_the_x_axis() -> None:
     text = solve({**FREE, "reflection_axes": [0]}, at(20, 20, 90, reflected=True))
     (found,) = parse_layouts(text)
     layout = Layout.from_json(found.data)
@@ -95,7 +95,7 @@ def test_a_separation_holds_from_the_container() -> None:
         ({}, "has no 'rotation'"),
     ],
 )
-def test_wrong_orientations_are_refused(orientation: Any, message: str) -> None:
+def test_invalid_orientations_are_rejected(orientation: Any, message: str) -> None:
     with pytest.raises(FormatError, match=message):
         parse_layouts(solve(orientation, at(2, 2)))
 

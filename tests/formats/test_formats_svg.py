@@ -102,7 +102,7 @@ def test_other_styles_leave_shapes_where_they_are() -> None:
     assert turned == Polygon([(0, 0), (0, 1), (-1, 1)])
 
 
-def test_sizes_in_styles_are_refused() -> None:
+def test_sizes_in_styles_are_rejected() -> None:
     with pytest.raises(FormatError, match="width in a style"):
         parse_polygon(svg("<rect width='2' height='1' style='width: 5px'/>"))
 
@@ -110,7 +110,7 @@ def test_sizes_in_styles_are_refused() -> None:
 @pytest.mark.parametrize(
     ("ratio", "side"), [("xMidYMid", 5), ("xMinYMax slice", 10), ("xMaxYMid meet", 5)]
 )
-def test_the_unit_is_that_of_the_tighter_side(ratio: str, side: int) -> None:
+def test_the_tighter_side_determines_the_unit(ratio: str, side: int) -> None:
     root = f"<svg width='100mm' height='50mm' viewBox='0 0 100 100' preserveAspectRatio='{ratio}'>"
     square = f"{root}<rect width='10' height='10'/></svg>"
     assert parse_polygon(square, unit="mm").area == side * side
@@ -152,7 +152,7 @@ def test_lines_inside_an_unfilled_outline_are_holes_in_either_direction(inner: s
     assert read_areas(f'<path fill="none" stroke="red" d="{BOX}{inner}"/>') == [77]
 
 
-def test_filling_decides_by_the_direction_of_lines() -> None:
+def test_the_direction_of_lines_determines_filling() -> None:
     assert read_areas(f'<path d="{BOX}{SAME}"/>') == [81]
     assert read_areas(f'<path d="{BOX}{OPPOSITE}"/>') == [77]
 

@@ -162,7 +162,7 @@ def test_conversion_of_radians_is_within_the_slack_of_verdicts() -> None:
 
 @pytest.mark.parametrize("digits", [50, 101, 150, 230])
 @pytest.mark.parametrize("quarters", [1, 2, 7])
-def test_no_digits_of_radians_make_a_right_angle(digits: int, quarters: int) -> None:
+def test_rounded_radians_never_make_a_right_angle(digits: int, quarters: int) -> None:
     with mp.workdps(digits + 9):
         radians = Fraction(mp.nstr(mp.pi * quarters / 2, digits))
     degrees = to_degrees(radians)
@@ -171,7 +171,7 @@ def test_no_digits_of_radians_make_a_right_angle(digits: int, quarters: int) -> 
     assert to_degrees(Fraction(0)) == 0
 
 
-def test_allowed_turns_are_in_radians_too(read: Read) -> None:
+def test_allowed_rotations_are_also_in_radians(read: Read) -> None:
     layout = {
         "parts": [{"id": "tile", "exterior": TILE, "turns": ["0", "1.5"], "mirrored_turns": ["1"]}],
         "placements": [

@@ -42,7 +42,7 @@ def test_a_stop_at_a_wall_omits_the_ends_of_its_edges(height: int) -> None:
 
 @examples(20)
 @given(simple_polygons(), simple_polygons())
-def test_the_written_answer_is_the_answer(d: Polygon, g: Polygon) -> None:
+def test_written_answers_equal_the_answers(d: Polygon, g: Polygon) -> None:
     n = no_fit_polygon(d, g)
     found = json.loads(no_fit_to_json(n))
     assert Polygon(found["exterior"]) == n.exterior
@@ -54,7 +54,7 @@ def test_the_written_answer_is_the_answer(d: Polygon, g: Polygon) -> None:
 
 @pytest.mark.long
 def test_many_steps_take_linear_time() -> None:
-    # A parabola of 100 edges between teeth so deep that it turns wholly about each of them.
+    # A parabola of 100 edges slides around deep teeth, completely around each of them.
     parabola = [(x, x * x) for x in range(100)]
 
     def explain_teeth(teeth: int) -> None:

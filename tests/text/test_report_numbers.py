@@ -18,13 +18,13 @@ def expected(value: Fraction) -> Decimal:
 
 
 @given(st.fractions(), st.integers(-2000, 2000), st.integers(1, 10**300))
-def test_six_digits_are_those_of_the_number(value: Fraction, power: int, denominator: int) -> None:
+def test_six_digits_are_rounded_correctly(value: Fraction, power: int, denominator: int) -> None:
     for number in (value, value * Fraction(10) ** power, value / denominator):
         assert Decimal(approximate(number)) == expected(number)
 
 
 @given(st.fractions(), st.integers(-2000, 2000))
-def test_digits_are_rounded_up_where_a_number_is_a_bound(value: Fraction, power: int) -> None:
+def test_bounds_are_rounded_up(value: Fraction, power: int) -> None:
     number = value * Fraction(10) ** power
     exactly = SIX.copy()
     exactly.rounding = ROUND_CEILING
@@ -60,6 +60,6 @@ def test_names_in_brackets_are_shown_as_they_are(width: int | None) -> None:
     assert "[bold]left[/bold]" in lay_out([table], width)
 
 
-def test_a_long_text_is_shown_whole() -> None:
+def test_a_long_text_is_shown_in_full() -> None:
     shown = lay_out([list_facts({"area": "7" * 300}, 6)], 80)
     assert shown.count("7") == 300
