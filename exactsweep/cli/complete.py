@@ -1,5 +1,3 @@
-"""Shell completion of names."""
-
 import os
 from collections.abc import Callable, Iterable
 from pkgutil import resolve_name

@@ -1,5 +1,3 @@
-"""Building blocks of options."""
-
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from functools import wraps

@@ -10,7 +10,7 @@ from itertools import chain
 from math import isqrt
 from typing import Any, NamedTuple
 
-from exactsweep.canvas.scale import Scale
+from exactsweep.canvas.window import Scale
 from exactsweep.corpus.answered import find_types
 from exactsweep.corpus.case import Case
 from exactsweep.draw.notebook import draw_sweep

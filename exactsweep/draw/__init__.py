@@ -32,8 +32,7 @@ imported on first use.
 """
 
 from exactsweep.canvas import style
-from exactsweep.canvas.scale import AxisScale, Scale
-from exactsweep.canvas.window import DrawError
+from exactsweep.canvas.window import AxisScale, DrawError, Scale
 from exactsweep.draw.figure import SUFFIXES, make_figure, read_suffix, save, save_svg
 from exactsweep.draw.intervals import ContactInterval, cut_trajectory
 from exactsweep.draw.no_fits import plot_positions

@@ -6,11 +6,10 @@ from collections.abc import Iterable
 from typing import TYPE_CHECKING, NamedTuple
 
 from exactsweep.canvas import style
-from exactsweep.canvas.scale import Scale
+from exactsweep.canvas.window import Scale
 from exactsweep.draw import sweeps
 from exactsweep.draw.figure import require_matplotlib
-from exactsweep.draw.insets import draw_with_details, find_details
-from exactsweep.draw.picture import Picture
+from exactsweep.draw.picture import Picture, draw_with_details, find_details
 from exactsweep.evidence.no_fit import InnerFitAnswer, NoFitAnswer
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.geometry.region import Region
@@ -22,10 +21,7 @@ if TYPE_CHECKING:
 
 
 class Positions(NamedTuple):
-    """The contents of a picture of a no-fit polygon, or of an inner fit, which has no exterior.
-
-    `names` are those of both shapes and of the free regions.
-    """
+    """The contents of a picture; `names` are those of both shapes and of the free regions."""
 
     directrix: Region
     generatrix: Region

@@ -7,12 +7,11 @@ from fractions import Fraction
 from typing import TYPE_CHECKING, Protocol
 
 from exactsweep.canvas import style
-from exactsweep.canvas.scale import Scale
 from exactsweep.canvas.style import Look
+from exactsweep.canvas.window import Scale
 from exactsweep.draw.figure import require_matplotlib
-from exactsweep.draw.insets import draw_with_details, find_details
 from exactsweep.draw.intervals import Ends, SweepFeatures, cut_trajectory
-from exactsweep.draw.picture import Picture
+from exactsweep.draw.picture import Picture, draw_with_details, find_details
 from exactsweep.evidence.sweep import SweepAnswer
 from exactsweep.evidence.undercut import Undercut
 from exactsweep.geometry.point_set import is_on

@@ -23,7 +23,7 @@ from exactsweep.draw import (
     make_figure,
     plot_sweep,
 )
-from exactsweep.draw.insets import find_details
+from exactsweep.draw.picture import find_details
 
 # The look of colours, in linear light, to all, and to those whose green or red cones do not work:
 # Machado, Oliveira and Fernandes (2009), severity 1.

@@ -24,8 +24,7 @@ from exactsweep.draw.sweeps import trace_anchor
 from exactsweep.evidence.contact import Contact
 from exactsweep.geometry.vectors import is_between, minus
 from exactsweep.view import make_page
-from exactsweep.view.data import gather_page_data
-from exactsweep.view.meetings import Meetings
+from exactsweep.view.data import Meetings, gather_page_data
 from exactsweep.view.page import embed_json
 
 SLOT = sweep(
@@ -98,9 +97,9 @@ def test_two_vertices_that_meet_on_the_way_make_a_stop() -> None:
 def test_large_sweeps_say_that_vertices_that_meet_make_no_stops(
     monkeypatch: pytest.MonkeyPatch, limit: str, most: int
 ) -> None:
-    monkeypatch.setattr(f"exactsweep.view.meetings.{limit}", most)
+    monkeypatch.setattr(f"exactsweep.view.data.{limit}", most)
     assert gather_page_data(EXAMPLE)["hasMeetings"]
-    monkeypatch.setattr(f"exactsweep.view.meetings.{limit}", most - 1)
+    monkeypatch.setattr(f"exactsweep.view.data.{limit}", most - 1)
     assert not gather_page_data(EXAMPLE)["hasMeetings"]
     assert [stop.position for stop in find_stops(EXAMPLE)] == list(EXAMPLE.trajectory.vertices)
 

@@ -3,7 +3,7 @@
 from itertools import product
 
 from exactsweep.geometry.outline import Outline
-from exactsweep.view.meetings import find_facing
+from exactsweep.view.data import find_facing
 
 COMPASS = [(x, y) for x, y in product(range(-2, 3), repeat=2) if 2 in (abs(x), abs(y))]
 
