@@ -25,7 +25,7 @@ import click
 
 from exactsweep import Polyline, Region, inner_fit_polygon, minkowski_sum, no_fit_polygon, sweep
 from exactsweep.check import standalone
-from exactsweep.check.standalone import Refused, area, edges, prove, read_points
+from exactsweep.check.standalone import Refused, area, edges, point, prove, read
 from exactsweep.check.verify import normalize
 from exactsweep.corpus import cases
 from exactsweep.evidence.proof import add_proof
@@ -181,7 +181,7 @@ def reroute(certificate: Certificate, rng: Random) -> tuple[str, Certificate]:
     changed = put(certificate, path, loop[least:] + loop[:least])
     if "area" in changed:
         loops = [changed["outer"], changed["inner"], *changed.get("unswept", [])]
-        areas = [area(edges(read_points("loop", e))) for e in loops if len(e) > 2]
+        areas = [area(edges(read("loop", e, [point]))) for e in loops if len(e) > 2]
         changed["area"] = str(areas[0] - sum(areas[1:]))
     found = add_proof({k: v for k, v in changed.items() if k != "proof"})
     return f"rerouted: {kind}", json.loads(json.dumps(found))
@@ -207,7 +207,7 @@ def is_same_claim(one: Certificate, other: Certificate) -> bool:
             ordered = [sorted(map(str, e)) if key == "exact_fits" else normal(e) for e in item]
             return sorted(ordered, key=str)
         if is_loop(item):
-            return [*map(str, normalize(read_points("loop", item)))]
+            return [*map(str, normalize(read("loop", item, [point])))]
         return item
 
     return bool(normal(one) == normal(other))

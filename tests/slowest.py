@@ -137,7 +137,7 @@ def chains(n: int, digits: int) -> Certificate:
     far = 10**6
     sides = 2 * len(one)
     chain = [0 if digits % 2 else -1] * max(1, n // 4)
-    sums = [[0, chain, *[0] * (len(one) - 1)]]
+    sums = [[0, [chain, *[[0]] * (len(one) - 1)]]]
     del sides
     loop = write([(-far, -far), (far, -far), (0, far)])
     return claim_no_fit(d, square(1), loop, (), sums)
@@ -150,7 +150,7 @@ def long_numbers(n: int, digits: int) -> Certificate:
     shape = {"exterior": write(d)}, [write(d)]
     loop = write([(-3, Fraction(1, den + 9)), (3, -3), (3, 3)])
     chain = [-1, 0] * max(1, n // 8)
-    return claim_no_fit(shape, shape, loop, (), [[0, chain, *[0] * 5]])
+    return claim_no_fit(shape, shape, loop, (), [[0, [chain, *[[0]] * 5]]])
 
 
 def zigzags(n: int, digits: int) -> Certificate:
@@ -171,7 +171,11 @@ def denominators(n: int, digits: int) -> Certificate:
     one = write(points)
     d = {"exterior": one}, [one]
     return claim_no_fit(
-        d, d, write([(-(10**12), -(10**12)), (10**12, -(10**12)), (0, 10**12)]), (), [[0, -1, -1]]
+        d,
+        d,
+        write([(-(10**12), -(10**12)), (10**12, -(10**12)), (0, 10**12)]),
+        (),
+        [[0, [[-1], [-1]]]],
     )
 
 
@@ -197,7 +201,7 @@ def layout(
     if faults is not None:
         return {**body, "valid": False, "turns": turns, "faults": faults}
     frame = ["0", "0", str(far), str(far)]
-    evidence = {"frame": frame, "outside": [[]], "pieces": proof, "apart": []}
+    evidence = {"frame": frame, "pieces": [*proof, []], "apart": []}
     return {**body, "valid": True, "turns": turns, "proof": evidence}
 
 
@@ -250,7 +254,7 @@ def rounded(n: int, digits: int) -> Certificate:
     placed = [{"part": "a", "move": ["9", str(10**3 * k)]} for k in range(n)]
     found = layout(parts, placed, [None])
     found["layout"]["container"] = {"pieces": [{"points": hull, "radius": "9"}]}
-    found["proof"] |= {"frame": None, "outside": [None]}
+    found["proof"]["frame"] = None
     return found
 
 

@@ -273,7 +273,8 @@ const kind = (test, name, reader = (value) => value) => (value) => {
 };
 const text = kind((value) => typeof value === "string", "a string");
 const flag = kind((value) => typeof value === "boolean", "true or false");
-const index = kind(Number.isSafeInteger, "an integer, or too large", (value) => value === 0 ? 0 : value); // not -0
+const isIndex = (value) => Number.isInteger(value) && Math.abs(value) < 1e9;
+const index = kind(isIndex, "an integer, or too large", (value) => value === 0 ? 0 : value); // not -0
 const number = (value) => {
   need(text(value).length <= 100000 && value !== "-0", "not a number, or too long");
   const [, n, d] = /^(-?(?:0|[1-9][0-9]*))(?:\/([1-9][0-9]*))?$/.exec(value) ?? refuse("not a number");
@@ -289,8 +290,11 @@ const path = kind((points) => points.length > 1, "a path of two points", distinc
 const loop = kind((points) => new Set(points.map(pointKey)).size === points.length && doubleArea(points).sign() > 0,
   "a loop: a repeated point, or not counter-clockwise", listOf(vertex, 3));
 const loops = listOf(loop), fits = listOf(listOf(vertex, 2, 2)), pieces = listOf(ring, 1), outside = listOf(ring);
-const frame = listOf(number, 4, 4), chain = (value) => listOf(index)(Array.isArray(value) ? value : [value]);
-const sums = listOf((value) => listOf((item) => item, 1)(value).map((item, i) => (i ? chain : index)(item)));
+const frame = listOf(number, 4, 4), chain = listOf(index);
+const sums = listOf((value) => {
+  const [k, chains] = listOf((item) => item, 2, 2)(value);
+  return [index(k), ...listOf(chain)(chains)];
+});
 const shapeKeys = { exterior: ring, holes: optional(listOf(ring), []) }, shape = object(shapeKeys);
 const exactly = (constant) => kind((value) => value === constant, constant);
 const header = { format: exactly("exactsweep certificate"), version: exactly(3), claim: text };
@@ -397,7 +401,7 @@ const body = (keys, least = 1, most = Infinity) => kind(isBody, "either an exter
   ...keys, ...shapeKeys, exterior: optional(ring), error: optional(length, ZERO),
   pieces: optional(listOf(rounded, least, most)),
 }));
-const turns = optional(listOf(rotation)), demand = kind((n) => n >= 0 && n <= 999999999, "a demand", index);
+const turns = optional(listOf(rotation)), demand = kind((n) => n >= 0, "a demand", index);
 const partKeys = { id: text, demand: optional(demand), turns, mirrored_turns: turns, mirrored: optional(flag, true) };
 const motion = { move: vertex, turn: optional(rotation, rotation("0")), mirrored: optional(flag, false) };
 const layoutReader = object({
@@ -408,10 +412,9 @@ const layoutReader = object({
 });
 const apart = listOf((value) => {
   const [x, y] = listOf((item) => item, 6, 6)(value).slice(4);
-  return { of: value.slice(0, 4).map(kind((n) => n <= 999999999, "an index", index)), normal: vertex([x, y]) };
+  return { of: value.slice(0, 4).map(index), normal: vertex([x, y]) };
 });
-const cuts = listOf(optional(pieces)), complements = listOf(optional(outside));
-const layoutProof = object({ frame: optional(frame), outside: complements, pieces: cuts, apart });
+const layoutProof = object({ frame: optional(frame), pieces: listOf(optional(outside, [])), apart });
 const RULES = { // when the placements of a part violate a rule
   missing: (part) => part.used.length < part.demand, // false without a demand
   surplus: (part) => part.used.length > part.demand,
@@ -426,9 +429,10 @@ function fault(value) {
   return object({ kind: text, placements: listOf(index, 2, 2), point: vertex })(value);
 }
 
-function solidsOf(item, isValid, list, rings = item.pieces ? [] : ringsOf(item)) {
-  need(!list === Boolean(item.pieces || !isValid), "not a list of pieces for each shape");
-  if (item.pieces || !isValid) return item.pieces ?? [{ rings, radius: ZERO }];
+function solidsOf(item, list, around) { // a list of pieces in a proof
+  const rings = item.pieces ? [] : around ?? ringsOf(item);
+  need(!list || (item.pieces ? !list.length : list.length || around), "not a list of pieces for each shape");
+  if (item.pieces || !list) return item.pieces ?? [{ rings, radius: ZERO }];
   checkMakesUp(list, rings);
   return list.map((piece) => ({ rings: [piece], radius: ZERO }));
 }
@@ -451,17 +455,16 @@ function place({ part: id, turn, move, mirrored }, to, parts) {
 
 function readBodies({ layout, valid, proof, turns: used }) { // parts by id, bodies by number
   const { parts: listed, placements, container, defects, spacing, margin } = layout;
-  const { frame: given, pieces: cut = [], outside: others = [] } = proof ?? {};
-  const isComplete = !valid || (cut.length === listed.length && others.length === defects.length + 1);
+  const { frame: given, pieces: cut = [] } = proof ?? {}, others = cut.slice(listed.length);
+  const isComplete = !valid || others.length === defects.length + 1;
   need(isComplete && used.length === placements.length, "not an entry for each part, placement or obstacle");
-  need(others.slice(1).every((list) => list?.length !== 0), "a defect without pieces");
   need(!valid || !given === Boolean(container.pieces), "a frame is for a container that is a shape");
-  const read = (part, i) => [part.id, { ...part, used: [], solids: solidsOf(part, valid, cut[i]) }];
+  const read = (part, i) => [part.id, { ...part, used: [], solids: solidsOf(part, cut[i]) }];
   const parts = new Map(listed.map(read)), around = given && [rectangle(given), ...ringsOf(container).map(reversed)];
   need(parts.size === listed.length, "two parts with one id");
   const placed = placements.map((to, n) => ({ n, room: spacing, ...place(to, used[n], parts) }));
   const obstacles = [container, ...defects].map((one, i) => {
-    const solids = solidsOf(one, valid, others[i], i ? undefined : around), isOutside = !i && !given;
+    const solids = solidsOf(one, others[i], i ? undefined : around), isOutside = !i && !given;
     return { n: -1 - i, room: one.spacing ?? margin, error: one.error, solids, isOutside };
   });
   return { parts, bodies: new Map([...placed, ...obstacles].map((one) => [one.n, one])) };
@@ -515,9 +518,7 @@ function checkValid({ proof, layout }, parts, bodies) {
   const broken = Object.keys(RULES).filter((name) => [...parts.values()].some(RULES[name]));
   need(!broken.length, "valid, but rules are violated: " + broken);
   const normals = new Map(proof.apart.map(({ of, normal }) => [of.join(), normal]));
-  const isNumber = (n) => n >= -1 - layout.defects.length, solids = [], outer = bodies.get(-1);
-  need(normals.size === proof.apart.length, "two entries of `apart` for the same pieces");
-  need(proof.apart.every(({ of }) => of.every(isNumber)), "an entry of `apart` for no body");
+  const solids = [], outer = bodies.get(-1);
   const corners = proof.frame && rectangle(proof.frame);
   const reach = largest([...bodies.values()].map((one) => one.room)).over(TWO);
   for (const one of bodies.values()) {
@@ -547,8 +548,6 @@ function proveLayout(value) {
   need(c.valid ? c.proof && !c.faults : c.faults && !c.proof, "not a proof if valid, and faults if not");
   const { parts, bodies } = readBodies(c);
   if (c.valid) return checkValid(c, parts, bodies);
-  const key = (f) => (f.placements ? [...f.placements].sort((a, b) => a - b).join() : f.kind + " " + f.part);
-  need(new Set(c.faults.map(key)).size === c.faults.length, "a fault is listed twice");
   for (const f of c.faults) need(isProved(f, parts, bodies), "a fault is not proved: " + f.kind);
   return c.faults.length + " faults of a layout of " + c.layout.placements.length + " placements";
 }

@@ -7,9 +7,7 @@ from itertools import groupby
 from typing import Any, NamedTuple
 
 from exactsweep.check.standalone import (
-    Point as Node,
-)
-from exactsweep.check.standalone import (
+    SHAPE,
     Refused,
     Ring,
     area,
@@ -17,11 +15,10 @@ from exactsweep.check.standalone import (
     need,
     node,
     place,
+    point,
     prove,
-    read_points,
-)
-from exactsweep.check.standalone import (
-    shape as read_shape,
+    read,
+    rings_of,
 )
 from exactsweep.geometry.reading import read_point
 from exactsweep.numbers.error import ExactSweepError, explain_type_errors, prefix_errors
@@ -91,11 +88,11 @@ def verify(
         prove(certificate, max_steps)
         for name, rings in given.items():
             need(name in certificate, f"the certificate has no {name}")
-            is_same = _outline(read_shape(name, certificate[name])) == _outline(rings)
+            is_same = _outline(rings_of(read(name, certificate[name], SHAPE))) == _outline(rings)
             need(is_same, f"{name} of the certificate is not the given polygon")
         if walked is not None:
             need("path" in certificate, "the certificate has no path")
-            is_same = _drop_repeated(read_points("path", certificate["path"])) == walked
+            is_same = _drop_repeated(read("path", certificate["path"], [point])) == walked
             need(is_same, "path of the certificate is not the given path")
     except Refused as refused:
         witness = refused.witness and Point(*refused.witness)
@@ -142,7 +139,7 @@ def normalize(points: Ring) -> Ring:
     """Convert a ring to counter-clockwise corners, starting at the least vertex."""
     points = [p for k, p in enumerate(points) if p != points[k - 1]]
     around = edges(points if area(edges(points)) > 0 else points[::-1])
-    bent: list[Node] = [
+    bent = [
         p
         for k, (p, _, (a, b, _)) in enumerate(around)
         if around[k - 1][2][0] * b != around[k - 1][2][1] * a

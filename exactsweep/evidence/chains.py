@@ -40,13 +40,13 @@ class Covering(NamedTuple):
     """Sums and chains that prove a boundary.
 
     Attributes:
-        sums: for each listed sum, its number and a chain for each of its sides.
+        sums: for each listed sum, its number and the list of chains of its sides.
         around: a chain for each half-plane.
         slits: the slits.
     """
 
     sums: list[list[Any]]
-    around: list[list[int] | int]
+    around: list[list[int]]
     slits: list[DirectedSegment]
 
 
@@ -255,16 +255,10 @@ class _Finder:
         """Number the listed sums, and then the half-planes."""
         at = {k: n for n, k in enumerate((*self._listed, *self._beyond))}
         written = {
-            k: [_shorten([n if n < 0 else at[n] for n in entries]) for entries in self._chains[k]]
-            for k in at
+            k: [[n if n < 0 else at[n] for n in entries] for entries in self._chains[k]] for k in at
         }
-        sums = [[k, *written[k]] for k in self._listed]
+        sums = [[k, written[k]] for k in self._listed]
         return Covering(sums, [written[k][0] for k in self._beyond], slits)
-
-
-def _shorten(entries: list[int]) -> list[int] | int:
-    """Replace a chain of one entry by that entry."""
-    return entries[0] if len(entries) == 1 else entries
 
 
 def _continues(low: Fraction, n: int, reach: Fraction, closed: bool) -> bool:

@@ -79,8 +79,7 @@ def _prove_valid(board: Board, bits: int) -> dict[str, Any] | None:
     is_polygon = isinstance(board.layout.container, Region)
     return {
         "frame": [*map(Fraction, board.frame)] if is_polygon else None,
-        "pieces": [_list_pieces(form, scale) for scale, form in forms],
-        "outside": _list_outside(board),
+        "pieces": [*(_list_pieces(form, scale) for scale, form in forms), *_list_outside(board)],
         "apart": apart,
     }
 

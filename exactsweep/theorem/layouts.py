@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from fractions import Fraction
-from math import ceil
+from math import ceil, inf
 from typing import Any
 
-from exactsweep.check.standalone import Layout, Work, read_rotation, rotation_error
+from exactsweep.check.standalone import JUDGED, WORK, find_bodies, read, rotation, rotation_error
 from exactsweep.theorem.readers import RationalRing, read_rational, read_ring, read_shape
 from exactsweep.theorem.terms import Constructor, Number, TheoremError, option
 
@@ -25,7 +25,8 @@ FAULTS = {
 
 def read_layout(c: Any) -> dict[str, Any]:
     """Read a layout; raise Refused if its form is wrong."""
-    Layout(c, Work(c, None))
+    WORK.set([inf, 1.0])
+    find_bodies(read("", c, JUDGED))
     given, distances = c["layout"], {}
     container, parts = given.get("container"), {part["id"]: part for part in given["parts"]}
     for key in ("spacing", "margin"):
@@ -69,14 +70,14 @@ def _part(part: Any) -> dict[str, Any]:
 
 
 def _rotation(item: Any) -> Constructor:
-    found = read_rotation("turn", item)
+    found = rotation("turn", item)
     if type(found) is tuple:
         return Constructor(0, "Statements.Rational", tuple(map(Fraction, found)))
     return Constructor(1, "Statements.Degrees", (Fraction(found),))
 
 
 def _placement(item: Any, turn: Any, parts: dict[str, Any]) -> dict[str, Any]:
-    asked, to = (read_rotation("turn", e) for e in (item.get("turn") or "0", turn))
+    asked, to = (rotation("turn", e) for e in (item.get("turn") or "0", turn))
     cosine, sine = map(Fraction, to)
     degrees, slack = None, Fraction(0)
     if asked != to:

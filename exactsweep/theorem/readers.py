@@ -11,7 +11,7 @@ from itertools import groupby
 from math import lcm
 from typing import Any
 
-from exactsweep.check.standalone import number, place, read_points, ring, shape
+from exactsweep.check.standalone import SHAPE, number, place, point, read, ring, rings_of
 from exactsweep.geometry.convex import cut_to_convex
 from exactsweep.theorem.terms import Number
 
@@ -26,7 +26,7 @@ def read_rational(item: Any) -> Fraction:
 
 def read_ring(item: Any) -> RationalRing:
     """Read a loop, or the points of a rounded piece."""
-    return [*map(place, read_points("points", item))]
+    return [*map(place, read("points", item, [point]))]
 
 
 def read_rings(items: Any) -> list[RationalRing]:
@@ -36,7 +36,7 @@ def read_rings(items: Any) -> list[RationalRing]:
 
 def read_shape(item: Any) -> list[RationalRing]:
     """Read a shape, the exterior counter-clockwise, holes clockwise."""
-    return [[*map(place, points)] for points in shape("shape", item)]
+    return [[*map(place, points)] for points in rings_of(read("shape", item, SHAPE))]
 
 
 def read_pieces(items: Any) -> list[RationalRing]:
@@ -44,9 +44,14 @@ def read_pieces(items: Any) -> list[RationalRing]:
     return [[*map(place, ring("piece", points))] for points in items or []]
 
 
-def read_all_pieces(items: Any) -> list[list[RationalRing]]:
-    """Read the pieces of each body."""
-    return [*map(read_pieces, items)]
+def read_part_pieces(parts: Any, items: Any) -> list[list[RationalRing]]:
+    """Read the pieces of each part."""
+    return [*map(read_pieces, items[: len(parts)])]
+
+
+def read_other_pieces(parts: Any, items: Any) -> list[list[RationalRing]]:
+    """Read the pieces outside the container, and those of each defect."""
+    return [*map(read_pieces, items[len(parts) :])]
 
 
 def read_path(item: Any) -> RationalRing:
@@ -56,7 +61,7 @@ def read_path(item: Any) -> RationalRing:
 
 def read_fits(items: Any) -> list[tuple[RationalPoint, RationalPoint]]:
     """Read exact fits or slits: pairs of points."""
-    return [(place(p), place(q)) for p, q in (read_points("fit", item, 2) for item in items)]
+    return [(place(p), place(q)) for p, q in read("fits", items, [[point, point]])]
 
 
 def read_regions(items: Any) -> list[Any]:
@@ -64,14 +69,9 @@ def read_regions(items: Any) -> list[Any]:
     return [(read_ring(item["exterior"]), read_rings(item["holes"])) for item in items]
 
 
-def read_chains(items: Any) -> list[list[int]]:
-    """Read chains, which may be single indices."""
-    return [[item] if type(item) is int else item for item in items]
-
-
 def read_sums(items: Any) -> list[Any]:
     """Read the listed sums."""
-    return [(Number(k), read_chains(chains)) for k, *chains in items]
+    return [(Number(k), chains) for k, chains in items]
 
 
 def read_frame(item: Any) -> tuple[Fraction, ...]:

@@ -127,8 +127,7 @@ def valid_layout(**changes: Any) -> Any:
         "valid": True,
         "proof": {
             "frame": ["0", "0", "4", "4"],
-            "outside": [[]],
-            "pieces": [[unit]],
+            "pieces": [[unit], []],
             "apart": changes.get("apart", []),
         },
     }
@@ -140,7 +139,7 @@ def valid_layout(**changes: Any) -> Any:
         certificate["layout"]["parts"] = [*parts, flat]
         placements.append({"part": "flat", "move": ["0", "9"]})
         certificate["turns"].append(["1", "0"])
-        certificate["proof"]["pieces"].append(changes["flat"])
+        certificate["proof"]["pieces"].insert(1, changes["flat"])
     return certificate
 
 
@@ -149,10 +148,10 @@ def test_both_agree_on_the_letter_of_the_page(tmp_path: Path) -> None:
         valid_layout(),
         valid_layout(turn=["1", "0"]),
         valid_layout(apart=[[0, -1, 1, -1, "0", "0"]]),  # not needed
+        valid_layout(apart=[[0, -2, 1, -1, "1", "0"]] * 2),  # of no body
     ]
     false = [
         valid_layout(turn=["11/10", "0"]),  # another length than 1
-        valid_layout(apart=[[0, -2, 1, -1, "1", "0"]]),  # no body of that number
         valid_layout(apart=[[0, 10**9, 1, 0, "1", "0"]]),
         valid_layout(flat=[]),  # a part without pieces, outside
     ]

@@ -19,8 +19,7 @@ LONG = 16000
 
 def valid_layout(parts: list[Any], pieces: list[Any], moves: list[Any], **more: Any) -> Certificate:
     """Certify a layout of parts "0", "1", ...; `moves` has a part and a point for each one."""
-    outside = more.pop("outside", [None])
-    proof = {"pieces": pieces, "outside": outside, "apart": more.pop("apart", [])}
+    proof = {"pieces": pieces + more.pop("outside", [None]), "apart": more.pop("apart", [])}
     if "frame" in more:
         proof["frame"] = more.pop("frame")
     return {

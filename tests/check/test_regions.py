@@ -61,8 +61,11 @@ def lenses() -> tuple[dict[str, Any], dict[str, Any]]:
 
 
 FALSE = {
-    "a hole around its exterior": (pocket, "regions[1], hole 0: winding number 1, expected 0"),
-    "a hole that crosses its exterior": (lenses, ": meets regions[0], hole 0, edge"),
+    "a hole around its exterior": (pocket, "regions[1].holes[0]: winding number 1, expected 0"),
+    "a hole that crosses its exterior": (
+        lenses,
+        "regions[0].holes[0], edge 6: meets regions[0].exterior, edge 12",
+    ),
 }
 
 

@@ -136,30 +136,31 @@ def test_rounded_pieces_move_with_their_part() -> None:
 
 
 PART, OUTSIDE = ("layout", "parts", 0), ("layout", "container")
+ALONE = "neither a shape nor rounded pieces alone"
 CHANGES: dict[str, tuple[Any, str]] = {
-    "no pieces": (((*PART, "pieces"), []), "parts[0]: no pieces"),
+    "no pieces": (((*PART, "pieces"), []), f"parts[0]: {ALONE}"),
     "no points": (((*PART, "pieces", 0, "points"), []), "not convex, counter-clockwise"),
     "a clockwise ring": (
         ((*PART, "pieces", 0, "points"), rect(0, 0, 1, 1)[::-1]),
         "not convex, counter-clockwise",
     ),
     "a radius below 0": (((*PART, "pieces", 0, "radius"), "-1"), "radius: below 0"),
-    "an exterior, too": (((*PART, "exterior"), rect(0, 0, 1, 1)), "not rounded pieces alone"),
-    "holes, too": (((*PART, "holes"), [rect(0, 0, 1, 1)]), "not rounded pieces alone"),
-    "neither": (((*PART, "pieces"), None), "with keys exterior"),
-    "a list of pieces": ((("proof", "pieces", 0), []), "not rounded pieces alone"),
+    "an exterior, too": (((*PART, "exterior"), rect(0, 0, 1, 1)), ALONE),
+    "holes, too": (((*PART, "holes"), [rect(0, 0, 1, 1)]), ALONE),
+    "neither": (((*PART, "pieces"), None), ALONE),
+    "a list of pieces": ((("proof", "pieces", 0), [rect(0, 0, 1, 1)]), ALONE),
     "a container of two": (
         ((*OUTSIDE, "pieces"), [DISC, DISC]),
-        "container: not rounded pieces alone",
+        f"container: {ALONE}",
     ),
     "a frame": (
         (("proof", "frame"), ["-9", "-9", "9", "9"]),
-        "container: not rounded pieces alone",
+        "frame: missing, or of no shape",
     ),
-    "outside pieces": ((("proof", "outside", 0), []), "container: not rounded pieces alone"),
+    "outside pieces": ((("proof", "pieces", 1), [rect(0, 0, 1, 1)]), f"container: {ALONE}"),
     "a polygon without a frame": (
         (OUTSIDE, {"exterior": rect(-9, -9, 9, 9)}),
-        "frame: none",
+        "frame: missing, or of no shape",
     ),
 }
 

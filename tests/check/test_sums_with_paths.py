@@ -68,8 +68,8 @@ def test_slits_are_proved() -> None:
     filled = certificates()["slit"]
     count = len(filled["exterior"])
     sums = [
-        [k, *([n for n in ([e] if type(e) is int else e) if n >= -count] for e in chains)]
-        for k, *chains in filled["proof"]["sums"]
+        [k, [[n for n in chain if n >= -count] for chain in chains]]
+        for k, chains in filled["proof"]["sums"]
     ]
     left_out = put(put(filled, ("proof", "slits"), []), ("proof", "sums"), sums)
     assert "not covered" in verify(left_out).reason
@@ -146,7 +146,7 @@ def test_all_parts_of_the_shape_are_covered(tmp_path: Path) -> None:
     """A hole divides the shape; the sum of one part alone has all sides covered."""
     left, right = rect(0, 0, 4, 1), rect(6, 0, 9, 1)
     path = [["0", "0"], ["1", "0"]]
-    proof = {"shape": [left], "sums": [[0, -1, -2, -3, -4]], "slits": []}
+    proof = {"shape": [left], "sums": [[0, [[-1], [-2], [-3], [-4]]]], "slits": []}
     whole: Certificate = {
         "format": "exactsweep certificate",
         "version": 3,

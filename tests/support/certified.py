@@ -75,7 +75,7 @@ def layout(
     apart = more.pop("apart", [])
     defects = [[e["exterior"]] for e in more.get("defects", [])]
     frame = ["-1", "-1", str(far), str(far)]
-    proof = {"frame": frame, "outside": [outside, *defects], "pieces": pieces, "apart": apart}
+    proof = {"frame": frame, "pieces": [*pieces, outside, *defects], "apart": apart}
     given = {"container": {"exterior": rect(0, 0, size, size)}, "parts": parts}
     return {
         "format": "exactsweep certificate",

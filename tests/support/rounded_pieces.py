@@ -103,11 +103,7 @@ def rounded_layout(
     parts = [{"id": str(k), "pieces": pieces} for k, pieces in enumerate(bodies)]
     placed = [{"part": part["id"], "move": ["0", "0"]} for part in parts]
     given = {"container": container, "parts": parts, "placements": placed, **more}
-    proof = {
-        "outside": [None] * (1 + len(more.get("defects", ()))),
-        "pieces": [None] * len(parts),
-        "apart": [*apart],
-    }
+    pieces = [None] * (len(parts) + 1 + len(more.get("defects", ())))
     return {
         "format": "exactsweep certificate",
         "version": 3,
@@ -115,7 +111,7 @@ def rounded_layout(
         "layout": {key: value for key, value in given.items() if value is not None},
         "valid": True,
         "turns": [["1", "0"]] * len(parts),
-        "proof": proof,
+        "proof": {"pieces": pieces, "apart": [*apart]},
     }
 
 
