@@ -61,7 +61,7 @@ def run(
         if resumed < job.total:
             processes = _start_processes(job.work, workers, scheduler)
             try:
-                for lines in _take_in_order(job.chunks(resumed), processes, job.work):
+                for lines in _collect_in_order(job.chunks(resumed), processes, job.work):
                     records.write(lines)
                     if progress is not None:
                         progress(records.done)
@@ -88,19 +88,19 @@ def _start_processes(work: Work, workers: int | None, scheduler: str | None) -> 
     return pools.Cluster(work, scheduler, workers or count_cores())
 
 
-def _take_in_order(
+def _collect_in_order(
     chunks: Iterator[Chunk], processes: Processes, work: Work
 ) -> Iterator[Sequence[bytes]]:
     pending: deque[tuple[Chunk, Future[Sequence[bytes]] | pools.RecordsOfCluster]] = deque()
     for chunk in chunks:
         pending.append((chunk, processes.submit(chunk)))
         if len(pending) >= _CHUNKS_AHEAD * processes.count:
-            yield _take_result(*pending.popleft(), processes, work)
+            yield _wait_for_result(*pending.popleft(), processes, work)
     while pending:
-        yield _take_result(*pending.popleft(), processes, work)
+        yield _wait_for_result(*pending.popleft(), processes, work)
 
 
-def _take_result(
+def _wait_for_result(
     chunk: Chunk,
     answer: Future[Sequence[bytes]] | pools.RecordsOfCluster,
     processes: Processes,
@@ -120,4 +120,4 @@ def _compute_alone(pair: NumberedPair, processes: Processes, work: Work) -> byte
         except processes.lost:
             continue
         return line
-    return work.lost_line(*pair)
+    return work.format_lost_pair(*pair)

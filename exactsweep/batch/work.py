@@ -68,7 +68,7 @@ class Work:
             reason = f"internal error: {type(error).__name__}: {error}"
         return write_error_line(index, names, reason)
 
-    def lost_line(self, index: int, pair: int | bytes) -> bytes:
+    def format_lost_pair(self, index: int, pair: int | bytes) -> bytes:
         parts = self._parts(pair) if isinstance(pair, int) else {}
         names: Names = {role: part.name for role, part in parts.items()}
         reason = "every process that tried this pair was killed"

@@ -20,7 +20,7 @@ LOCAL = "local"  # the address of a temporary cluster on this machine
 _ADDRESS = re.compile(
     r"(?:[a-z]{2,8}://)?(?P<host>[\w.-]{1,253}|\[[0-9A-Fa-f:.%\w]{2,60}\])(?::(?P<port>[0-9]{1,5}))?"
 )
-_LOOK = 0.5  # seconds between two checks of the scheduler
+_POLL_SECONDS = 0.5  # seconds between two checks of the scheduler
 
 
 class LocalProcesses:
@@ -108,7 +108,7 @@ class Cluster:
         except self.closed:
             raise CancelledError from None
 
-    def is_gone(self) -> bool:
+    def is_disconnected(self) -> bool:
         """Return whether the connection to the scheduler was lost."""
         return self.client.status != "running" or self.client.scheduler_comm is not self.connection
 
@@ -117,7 +117,7 @@ class Cluster:
         # A lost scheduler leaves nothing to clean up.
         with suppress(OSError, self.closed):
             self.pool.shutdown(wait=False)
-            if self.own is None and not self.is_gone():
+            if self.own is None and not self.is_disconnected():
                 self.client.unregister_worker_plugin(self.name)
         self.client.close()
         if self.own is not None:
@@ -139,8 +139,8 @@ class RecordsOfCluster:
     def result(self) -> Sequence[bytes]:
         """Wait for the records; raises CancelledError if the scheduler is lost."""
         # Dask never settles a future whose result was in transfer from a lost scheduler.
-        while not wait([self.future], _LOOK).done:
-            if self.cluster.is_gone():
+        while not wait([self.future], _POLL_SECONDS).done:
+            if self.cluster.is_disconnected():
                 raise CancelledError
         return self.future.result()
 

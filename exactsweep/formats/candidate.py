@@ -186,7 +186,7 @@ class Candidate(NamedTuple):
 
     def _find_finer(self, found: Sequence[Self], k: int, tolerance: Fraction) -> Candidate | None:
         finer = self.finer(tolerance) if self.finer else None
-        return choose_same(found, k, finer.split(Remarks([], [])) if finer else [])
+        return match_region(found, k, finer.split(Remarks([], [])) if finer else [])
 
     def _make_polygon(self) -> Polygon:
         points = self._checked_vertices()
@@ -221,7 +221,7 @@ class Candidate(NamedTuple):
         return self.read(lambda c: NamedRegion(c.region(), c.name, c.layer, c.error), remarks)
 
 
-def choose_same(
+def match_region(
     pieces: Sequence[Candidate], k: int, others: Sequence[Candidate]
 ) -> Candidate | None:
     """Return the region that corresponds to piece k at another tolerance, or None."""
@@ -232,7 +232,7 @@ def choose_same(
     return other if max(map(abs, moves)) <= one.error + other.error else None
 
 
-def allow_faults(drawn: Iterable[_Any]) -> Iterator[_Any]:
+def limit_faults(drawn: Iterable[_Any]) -> Iterator[_Any]:
     """Yield the items; raise FormatError if too many are rejected candidates."""
     number, first = 0, ""
     for one in drawn:

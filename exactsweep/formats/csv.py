@@ -9,7 +9,7 @@ from itertools import chain
 from sys import maxsize
 from threading import RLock
 
-from exactsweep.formats.candidate import Candidate, allow_faults
+from exactsweep.formats.candidate import Candidate, limit_faults
 from exactsweep.formats.decimals import read_decimal
 from exactsweep.formats.error import FormatError
 from exactsweep.formats.size import VERTEX, require_count
@@ -157,7 +157,7 @@ def _parse(text: str) -> list[Candidate]:
     for (_, name), rings in polygons.items():
         readers = ((f"line {row[0][0]}", partial(_vertices, row)) for row in rings.values())
         found.append(Candidate.of_rings(readers, name=name or None))
-    return [*allow_faults(written), *found]
+    return [*limit_faults(written), *found]
 
 
 def _read_wkt(text: str, line: int, name: str | None) -> list[Candidate]:

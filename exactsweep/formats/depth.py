@@ -39,8 +39,8 @@ def nest_candidates(outlines: Sequence[Candidate]) -> list[Candidate]:
         reason = f"cannot nest the outlines: {error}"
         return [one if one.ornament else one.rejected(reason) for one in outlines]
     found = nest_outlines(plain)
-    refused = [one.rejected(describe_ambiguity(one, around)) for one, around in found.ambiguous]
-    return [*found.outlines, *refused, *(outline for outline in outlines if outline.ornament)]
+    rejected = [one.rejected(describe_ambiguity(one, around)) for one, around in found.ambiguous]
+    return [*found.outlines, *rejected, *(outline for outline in outlines if outline.ornament)]
 
 
 def nest_lines(outlines: Sequence[Candidate]) -> list[Candidate]:
@@ -208,7 +208,7 @@ def _nest(rings: Sequence[Polygon | None]) -> _Nesting:
         around: list[int] = []
         for i in sorted((i for i in rows.find(boxes[place]) if i < place), reverse=True):
             j = order[i]
-            is_new = j in groups and j not in chain and _holds(boxes[i], boxes[place])
+            is_new = j in groups and j not in chain and _contains_box(boxes[i], boxes[place])
             if is_new and contains([shapes[j]], [shapes[k]]):
                 around.append(j)
                 if len(around) > 1 or polygons[j].area == polygons[k].area:
@@ -233,7 +233,7 @@ def _list_parents(k: int, parents: Mapping[int, int | None]) -> Iterator[int]:
         parent = parents[parent]
 
 
-def _holds(outer: Bounds, inner: Bounds) -> bool:
+def _contains_box(outer: Bounds, inner: Bounds) -> bool:
     left, right, low, high = outer
     west, east, south, north = inner
     return left <= west and east <= right and low <= south and north <= high

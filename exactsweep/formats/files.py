@@ -44,9 +44,9 @@ def read_text(path: str) -> str:
     try:
         return decode_text(data)
     except FormatError:
-        from exactsweep.formats.plain import require_known
+        from exactsweep.formats.plain import reject_unsupported
 
-        require_known(data[:80].decode("latin-1"))
+        reject_unsupported(data[:80].decode("latin-1"))
         if declared := _XML_ENCODING.match(data):
             with suppress(ValueError, LookupError):
                 return data.decode(declared[1].decode())

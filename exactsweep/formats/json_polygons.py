@@ -3,7 +3,7 @@
 from collections.abc import Iterator, Mapping, Sequence
 from functools import partial
 
-from exactsweep.formats.candidate import Candidate, allow_faults
+from exactsweep.formats.candidate import Candidate, limit_faults
 from exactsweep.formats.error import FormatError
 from exactsweep.formats.exact_json import describe_kind, read_vertices
 from exactsweep.formats.node import JsonNode
@@ -45,7 +45,7 @@ def read_exact(document: object, path: str = "$") -> list[Candidate]:
 
 
 def _read_each(node: JsonNode) -> list[Candidate]:
-    return [*allow_faults(map(_read_one, node.each("a list of polygons")))]
+    return [*limit_faults(map(_read_one, node.each("a list of polygons")))]
 
 
 def _is_list_of_rings(value: object) -> bool:
@@ -117,7 +117,7 @@ def read_geojson(
 ) -> list[Candidate]:
     """Find the Polygons of a document parsed by `parse_json`; other geometries are rejected."""
     found = _read_geometry(JsonNode(document, path), None, 0, {} if notes is None else notes)
-    return [*allow_faults(found)]
+    return [*limit_faults(found)]
 
 
 def _read_geometry(

@@ -7,7 +7,7 @@ from itertools import chain
 from typing import Unpack
 
 from exactsweep.formats import csv, plain, size
-from exactsweep.formats.candidate import Candidate, allow_faults
+from exactsweep.formats.candidate import Candidate, limit_faults
 from exactsweep.formats.choice import keep_layers
 from exactsweep.formats.depth import nest_candidates
 from exactsweep.formats.error import FormatError
@@ -36,10 +36,10 @@ def parse_candidates(
     """Find the polygons in text, like `parse_regions`, without parsing their numbers."""
     if not isinstance(text, str):
         raise FormatError(f"expected text, not {type(text).__name__}")
-    return parse_by(text, Reading(tolerance, **options))
+    return parse_with(text, Reading(tolerance, **options))
 
 
-def parse_by(text: str, reading: Reading) -> PartList[Candidate]:
+def parse_with(text: str, reading: Reading) -> PartList[Candidate]:
     candidates = keep_layers(_parse(text, reading), reading)
     if reading.nested:
         candidates = nest_candidates(candidates)
@@ -59,7 +59,7 @@ def _parse(text: str, reading: Reading) -> Sequence[Candidate]:
         from exactsweep.formats.curved.xml import parse_xml
         from exactsweep.formats.esicup import is_esicup, read_esicup
 
-        plain.require_known(text)
+        plain.reject_unsupported(text)
         root = parse_xml(text)
         if is_esicup(root):
             reading.scale(None)
@@ -72,7 +72,7 @@ def _parse(text: str, reading: Reading) -> Sequence[Candidate]:
         return parse_dxf(text, reading)
     # Other formats state no unit.
     reading.scale(None)
-    plain.require_known(text)
+    plain.reject_unsupported(text)
     if first in "[{":
         return _read_json(text, reading)
     size.require_text(text, _count_vertices(text))
@@ -122,7 +122,7 @@ def _read_json(text: str, reading: Reading) -> Sequence[Candidate]:
         except FormatError:
             raise error from None
         found = (_read_line(line, k, notes) for k, line in lines)
-        return [*allow_faults(chain.from_iterable(found))]
+        return [*limit_faults(chain.from_iterable(found))]
     if isinstance(document, dict) and _INSTANCES & document.keys():
         from exactsweep.formats.layouts.instances import read_parts
 

@@ -25,7 +25,7 @@ _SIGNS = {
 _G_CODE = re.compile(r"(?:%\s*|[;(][^\n]*\n\s*)*+(?:N\d+\s*)?[GMO]\d", re.IGNORECASE)
 
 
-def require_known(text: str) -> None:
+def reject_unsupported(text: str) -> None:
     """Reject unsupported formats, recognized by their first characters."""
     start = text.lstrip()[:40].lower()
     for sign, (name, advice) in _SIGNS.items():

@@ -115,7 +115,7 @@ class Reading:
         found.tolerance, found.nested = tolerance, self.nested
         return found
 
-    def allow_lines(self, count: int) -> None:
+    def charge_chords(self, count: int) -> None:
         if count > MAX_LINES:
             shown = f"{count:,}" if count <= 10**12 else "more than 10**12"
             raise FormatError(
@@ -128,11 +128,11 @@ class Reading:
                 f"the maximum is {get_limits().max_bytes // VERTEX:,} (max_mib)"
             )
 
-    def allow_vertices(self, count: int) -> None:
+    def charge_vertices(self, count: int) -> None:
         self.vertices += count
         require_count(self.vertices, VERTEX, "drawn vertices")
 
-    def allow_copies(self, count: int, size: int, draw: str, things: str) -> None:
+    def charge_copies(self, count: int, size: int, draw: str, things: str) -> None:
         self.copies, self.copied = self.copies + count, self.copied + size
         if self.copies > MAX_COPIES:
             raise FormatError(f"{draw} more than {MAX_COPIES:,} {things}")

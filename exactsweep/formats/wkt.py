@@ -8,7 +8,7 @@ from functools import partial
 from itertools import chain
 from typing import NoReturn, TypeVar
 
-from exactsweep.formats.candidate import Candidate, allow_faults
+from exactsweep.formats.candidate import Candidate, limit_faults
 from exactsweep.formats.decimals import DECIMAL, read_decimal
 from exactsweep.formats.error import FormatError
 from exactsweep.numbers.error import NumberError, quote
@@ -32,7 +32,7 @@ _Enclosed = TypeVar("_Enclosed")
 def parse_wkt(text: str, notes: dict[str, None] | None = None) -> list[Candidate]:
     """Read POLYGONs, MULTIPOLYGONs and GEOMETRYCOLLECTIONs; `notes` receives open rings."""
     reader = _Reader(text)
-    found = [*allow_faults(reader.outlines())]
+    found = [*limit_faults(reader.outlines())]
     if reader.opened and notes is not None:
         rings = count(len(reader.opened), "open ring")
         notes[f"{rings} closed, the first at {reader.opened[0]}"] = None

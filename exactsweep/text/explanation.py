@@ -82,21 +82,19 @@ class _Narrator:
         events = Counter(touch.contact.event for step in steps for touch in step.touches)
         endings = Counter(step.ending for step in steps)
         g, d = len(s.generatrix), len(s.directrix)
-        yield f"Class {CLASSES[s.kind]}, of {g} and {d} vertices."
+        yield f"Class {CLASSES[s.kind]}, with {g} and {d} vertices."
         yield (
             f"The generatrix G travels once around the directrix D in {len(steps)} steps, "
             "with D on its left."
         )
         yield (
-            f"Positions are those of the point {write_pair(s.reference)} of G. "
+            f"Positions are those of the reference point {write_pair(s.reference)} of G. "
             "Vertices and edges are numbered as in the input."
         )
         if s.kind == "SS":
             rest = count(len(s.no_fit_holes), "hole")
-            yield (
-                "Inside its path, which G cannot enter by sliding, "
-                f"the no-fit polygon has {rest} with room for G."
-            )
+            reach = ", which G cannot reach by sliding" if s.no_fit_holes else ""
+            yield f"Inside this path, the no-fit polygon has {rest}{reach}."
         elif s.direction and s.direction != (1, 0):
             yield (
                 f"Both polygons are monotone in direction {write_pair(s.direction)}. "
@@ -111,14 +109,14 @@ class _Narrator:
 
     def step(self, step: Step, following: Step) -> Iterator[str]:
         for touch in step.touches:
-            yield self._touch(touch, step)
+            yield self._describe_touch(touch, step)
         for mark in step.landmarks:
             if mark.position != step.end:
-                yield f"On the way, at {write_pair(mark.position)}, {self._landmark(mark)}"
-        yield f"{self._ending(step)}; {self._onward(step, following)}"
+                yield f"On the way, at {write_pair(mark.position)}, {self._describe_landmark(mark)}"
+        yield f"{self._describe_ending(step)}; {self._describe_next(step, following)}"
         for mark in step.landmarks:
             if mark.position == step.end:
-                yield f"Here {self._landmark(mark)}"
+                yield f"Here {self._describe_landmark(mark)}"
 
     def holes(self) -> Iterator[str]:
         s = self.sweep
@@ -133,7 +131,7 @@ class _Narrator:
             for start, end, contacts in zip(loop, (*loop[1:], loop[0]), along, strict=True):
                 way = name_heading((end.x - start.x, end.y - start.y))
                 yield f"{way[0].upper()}{way[1:]}, from {write_pair(start)} to {write_pair(end)}"
-                yield from (f"  {self._slide(contact)}" for contact in contacts)
+                yield from (f"  {self._describe_slide(contact)}" for contact in contacts)
 
     def fits(self) -> Iterator[str]:
         s = self.sweep
@@ -149,26 +147,26 @@ class _Narrator:
                 way = name_heading((end.x - start.x, end.y - start.y))
                 there = f"from {write_pair(start)} to {write_pair(end)}"
                 yield f"-- Exact fit {k}: G could go {way}, {there} --"
-                yield from (f"  {self._slide(contact)}" for contact in next(segments)[0])
+                yield from (f"  {self._describe_slide(contact)}" for contact in next(segments)[0])
 
     def _name(self, contact: Contact) -> tuple[str, str]:
         event, i, j = contact
         return self.g.names[event[0]][i], self.d.names[event[1]][j]
 
-    def _slide(self, contact: Contact) -> str:
+    def _describe_slide(self, contact: Contact) -> str:
         mover, below = self._name(contact)
         how = "over" if contact.event == "EV" else "along"
         return f"{contact.event}: {mover}, slides {how} {below}"
 
-    def _touch(self, touch: Touch, step: Step) -> str:
-        text = self._slide(touch.contact)
+    def _describe_touch(self, touch: Touch, step: Step) -> str:
+        text = self._describe_slide(touch.contact)
         if touch.start != step.start:
             text += f", from {write_pair(touch.start)} on"
         if touch.end != step.end:
             text += f", until {write_pair(touch.end)}"
         return text
 
-    def _ending(self, step: Step) -> str:
+    def _describe_ending(self, step: Step) -> str:
         if step.ending == "corner":
             meetings = (", is on ".join(self._name(contact)) for contact in step.reasons)
             return f"Corner: {', and '.join(meetings)}"
@@ -202,7 +200,7 @@ class _Narrator:
                 implied.update(Contact("VV", i, j) for i in self.g.ends[e] for j in self.d.ends[d])
         return [contact for contact in contacts if contact not in implied]
 
-    def _onward(self, step: Step, following: Step) -> str:
+    def _describe_next(self, step: Step, following: Step) -> str:
         names: dict[str, None] = {}
         for (event, i, j), start, _ in following.touches:
             if start == following.start:
@@ -215,7 +213,7 @@ class _Narrator:
             return f"G turns left, along {along}, the next by slope"
         return f"G turns right, along {along}"
 
-    def _landmark(self, landmark: Landmark) -> str:
+    def _describe_landmark(self, landmark: Landmark) -> str:
         if landmark.mark == "exact fit":
             return self._exact_fit(landmark)
         undercut = self.sweep.undercuts[landmark.number]

@@ -138,7 +138,7 @@ def test_splines_stay_within_the_tolerance(
     spline = Spline(degree, controls, knots, weights[:size] if rational else ())
     if knots[degree] == knots[size] or any(knots[k] == knots[k + degree + 1] for k in range(size)):
         return
-    spline.require_sound()
+    spline.validate()
     tolerance = Fraction(1, 50)
     found = spline.draw(IDENTITY).draw(tolerance, Reading())
     t = knots[degree] + (knots[size] - knots[degree]) * Fraction(place, 41)

@@ -290,7 +290,7 @@ def test_invalid_splines_are_rejected(
     corners = [Point(Fraction(k), Fraction(k * k)) for k in range(count)]
     spline = Spline(degree, corners, [*map(Fraction, knots)], [*map(Fraction, weights)])
     with pytest.raises(FormatError, match=f"^{says}"):
-        spline.require_sound()
+        spline.validate()
 
 
 @pytest.mark.parametrize("place", range(4))
@@ -347,9 +347,9 @@ def test_the_bound_is_invariant_under_translation(
 def test_huge_numbers_of_chords_are_abbreviated() -> None:
     reading = Reading(tolerance=Fraction(1))
     with pytest.raises(FormatError, match="needs 1,000,000,000,000 chords"):
-        reading.allow_lines(10**12)
+        reading.charge_chords(10**12)
     with pytest.raises(FormatError, match=r"needs more than 10\*\*12 chords"):
-        reading.allow_lines(10**12 + 1)
+        reading.charge_chords(10**12 + 1)
 
 
 def test_errors_beyond_a_sixteenth_of_the_tolerance_are_rejected() -> None:

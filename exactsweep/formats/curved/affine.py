@@ -67,11 +67,11 @@ def make_affine(*numbers: int | Fraction) -> Affine:
     return IDENTITY if found == IDENTITY else found
 
 
-def make_shift(x: Rational, y: Rational) -> Affine:
+def translate(x: Rational, y: Rational) -> Affine:
     return make_affine(1, 0, 0, 1, x, y)
 
 
-def make_scaling(x: Rational, y: Rational) -> Affine:
+def scale_axes(x: Rational, y: Rational) -> Affine:
     return make_affine(x, 0, 0, y, 0, 0)
 
 

@@ -86,7 +86,7 @@ class Bezier(NamedTuple):
             columns = [[v * w for v, w in zip(c, weights, strict=True)] for c in columns]
             columns.append(weights)
         degree = len(controls) - 1
-        forms = [_find_powers(column) for column in columns]
+        forms = [_to_power_basis(column) for column in columns]
         xs, ys = [], []
         whole = scale << (BITS * degree)
         for parameter in parameters:
@@ -219,7 +219,7 @@ def make_bezier(controls: Sequence[Point], weights: Sequence[Fraction] = ()) -> 
     return Bezier(controls[::-1], weights[::-1]), False
 
 
-def _find_powers(column: Sequence[int]) -> list[int]:
+def _to_power_basis(column: Sequence[int]) -> list[int]:
     found, row, binomial = [], [*column], 1
     degree = len(column) - 1
     for k in range(degree + 1):

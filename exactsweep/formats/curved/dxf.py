@@ -6,12 +6,12 @@ from itertools import pairwise
 from typing import NamedTuple
 
 from exactsweep.formats.candidate import Candidate
-from exactsweep.formats.curved.affine import Affine, make_affine, make_scaling, make_shift
+from exactsweep.formats.curved.affine import Affine, make_affine, scale_axes, translate
 from exactsweep.formats.curved.arc import make_arc, make_rotation, to_degrees
 from exactsweep.formats.curved.curves import find_arc_center, make_round_arc
 from exactsweep.formats.curved.dxf_entity import FROZEN, Drawing, Entity, read_drawing
 from exactsweep.formats.curved.join import OpenLine, draw_outline, join_layers
-from exactsweep.formats.curved.path import CURVED, Path, draw_circle, draw_lines, find_share
+from exactsweep.formats.curved.path import CURVED, Path, default_tolerance, draw_circle, draw_lines
 from exactsweep.formats.curved.spline import Spline
 from exactsweep.formats.error import FormatError, OrnamentError
 from exactsweep.formats.reading import MAX_COPIES, Reading
@@ -73,7 +73,7 @@ class Blocks:
 
     def _place(self, placed: PlacedEntity, around: tuple[str, ...]) -> Iterator[PlacedEntity]:
         if around:
-            self.reading.allow_copies(1, placed.entity.size, "blocks expand to", "entities")
+            self.reading.charge_copies(1, placed.entity.size, "blocks expand to", "entities")
         if placed.entity.kind in _ANNOTATIONS or self._is_hidden(placed):
             return
         if placed.entity.kind != "INSERT":
@@ -112,12 +112,12 @@ class Blocks:
             raise FormatError(f"expands to more than {MAX_COPIES:,} entities")
         turn = make_rotation(insert.number(50, "0"))
         position, base = insert.point(10), block[0].point(10)
-        scale = make_scaling(insert.number(41, "1"), insert.number(42, "1"))
-        outer = insert.plane @ make_shift(*position) @ turn
-        own = scale @ make_shift(-base.x, -base.y)
+        scale = scale_axes(insert.number(41, "1"), insert.number(42, "1"))
+        outer = insert.plane @ translate(*position) @ turn
+        own = scale @ translate(-base.x, -base.y)
         step = insert.number(44, "0"), insert.number(45, "0")
         return [
-            outer @ make_shift(i * step[0], j * step[1]) @ own
+            outer @ translate(i * step[0], j * step[1]) @ own
             for j in range(rows)
             for i in range(columns)
         ]
@@ -126,7 +126,7 @@ class Blocks:
 def parse_dxf(text: str, reading: Reading) -> list[Candidate]:
     drawing = read_drawing(text)
     scale = reading.scale(drawing.unit)
-    image = make_scaling(scale, scale)
+    image = scale_axes(scale, scale)
     blocks = Blocks(drawing, reading)
     placed = (one for entity in drawing.entities for one in blocks.place(entity, image))
     return join_layers((_draw(one, reading) for one in placed), reading)
@@ -188,7 +188,7 @@ def _read_circle(entity: Entity, image: Affine, reading: Reading) -> Path:
     center, radius = entity.point(10), entity.number(40)
     if radius <= 0:
         raise FormatError("the radius is not positive")
-    image = image @ entity.plane @ make_shift(*center) @ make_scaling(radius, radius)
+    image = image @ entity.plane @ translate(*center) @ scale_axes(radius, radius)
     if entity.kind == "CIRCLE":
         return draw_circle(image)
     return _draw_arc(image, entity.number(50), entity.number(51), reading)
@@ -211,7 +211,7 @@ def _draw_arc(image: Affine, start: Fraction, end: Fraction, reading: Reading) -
     span = (end - start) % _FULL
     gap = min(span, _FULL - span) / 50  # an upper bound in radians
     size = Fraction(sum(map(abs, image[:4])))
-    seen = 16 * gap * (1 + size) > (reading.tolerance or find_share(size, CURVED))
+    seen = 16 * gap * (1 + size) > (reading.tolerance or default_tolerance(size, CURVED))
     if start == end or (abs(end - start) > _FULL / 2 and not seen):
         return draw_circle(image)
     return make_arc(image, start, end)
@@ -226,7 +226,7 @@ def _read_spline(entity: Entity, image: Affine, reading: Reading) -> Path:
         spline = Spline(int(entity.number(71)), points, entity.numbers(40), plain)
     else:
         spline = Spline.through(entity.points(11))
-    spline.require_sound()
+    spline.validate()
     return spline.draw(image)
 
 

@@ -9,7 +9,7 @@ from itertools import chain
 from typing import NamedTuple
 
 from exactsweep.formats.candidate import Candidate
-from exactsweep.formats.curved.path import CURVED, Path, find_grid, find_share, round_points
+from exactsweep.formats.curved.path import CURVED, Path, default_tolerance, find_grid, round_points
 from exactsweep.formats.decimals import show_point
 from exactsweep.formats.error import FormatError
 from exactsweep.formats.reading import Reading
@@ -123,7 +123,7 @@ def _is_long(line: OpenLine, reach: Fraction) -> bool:
 
 def find_tolerance(lines: Iterable[OpenLine]) -> Fraction:
     xs, ys = zip(*(end for line in lines for end in line.ends), strict=True)
-    return find_share(max(max(xs) - min(xs), max(ys) - min(ys)), CURVED)
+    return default_tolerance(max(max(xs) - min(xs), max(ys) - min(ys)), CURVED)
 
 
 def _note_gaps(

@@ -139,7 +139,7 @@ class Path:
             return Fraction(0)
         if reading.tolerance is not None:
             return reading.tolerance
-        return find_share(self.size, CURVED if self.curves else _STRAIGHT)
+        return default_tolerance(self.size, CURVED if self.curves else _STRAIGHT)
 
     def find_error(self, reading: Reading) -> Fraction:
         tolerance = self.find_tolerance(reading)
@@ -174,7 +174,7 @@ class Path:
         for before in self.curves:
             after = (before + 1) % (len(self.points) - 1) if self.is_closed else before + 1
             if after in self.curves and after != before:
-                self._part(before, after, parameters, tolerance)
+                self._separate(before, after, parameters, tolerance)
         points = self.points
         if self.error or self.soft:
             rounded = round_points(points, grid)
@@ -193,7 +193,7 @@ class Path:
                 found += inner if forward else inner[::-1]
         return found
 
-    def _part(
+    def _separate(
         self, before: int, after: int, parameters: dict[int, list[int]], tolerance: Fraction
     ) -> None:
         """Add vertices to consecutive curves at equal distances from their common point."""
@@ -235,7 +235,7 @@ def _divide(curve: Curve, tolerance: Fraction, reading: Reading) -> list[int]:
     """Return the parameters of vertices, so that chords use only their share of the tolerance."""
     bend = curve.bend() / (8 * _CHORDS * tolerance)
     count = max(curve.min_chords(), -(-round_root_up(bend) // 1))
-    reading.allow_lines(count)
+    reading.charge_chords(count)
     return [WHOLE * k // count for k in range(1, count)]
 
 
@@ -289,7 +289,7 @@ def flatten_together(
     return found, None
 
 
-def find_share(size: Fraction, share: int) -> Fraction:
+def default_tolerance(size: Fraction, share: int) -> Fraction:
     """Return the greatest power of ten that is at most size / share, or 1 for size 0."""
     found, least = Fraction(1), size / share
     if not size:

@@ -61,7 +61,7 @@ class Spline(NamedTuple):
         ends = [Fraction(0), *accumulate(map(Fraction, lengths))]
         return cls(3, controls, [ends[0], *(u for u in ends for _ in range(3)), ends[-1]])
 
-    def require_sound(self) -> None:
+    def validate(self) -> None:
         size = len(self.points)
         if not 1 <= self.degree <= MAX_DEGREE:
             raise FormatError(f"the degree must be 1 to {MAX_DEGREE}, not {self.degree}")
@@ -101,14 +101,14 @@ class Spline(NamedTuple):
         for step in range(1, p + 1):
             ends = ((knots[i], knots[i + p - step + 1]) for i in range(k - p + step, k + 1))
             row = [
-                _mix(a, b, (u - low) / (high - low))
+                _interpolate(a, b, (u - low) / (high - low))
                 for (low, high), (a, b) in zip(ends, pairwise(row), strict=True)
             ]
             last.append(row[-1])
         row, found = last[::-1], [last[-1]]
         while len(row) > 1:
             shares = [(v - u) / (knots[k + i] - u) for i in range(1, len(row))]
-            row = [_mix(a, b, t) for (a, b), t in zip(pairwise(row), shares, strict=True)]
+            row = [_interpolate(a, b, t) for (a, b), t in zip(pairwise(row), shares, strict=True)]
             found.append(row[0])
         return found
 
@@ -147,5 +147,5 @@ def _solve(values: Sequence[float], lengths: Sequence[float]) -> list[float]:
     return found[::-1]
 
 
-def _mix(a: _Lifted, b: _Lifted, t: Fraction) -> _Lifted:
+def _interpolate(a: _Lifted, b: _Lifted, t: Fraction) -> _Lifted:
     return tuple(p + t * (q - p) for p, q in zip(a, b, strict=True))

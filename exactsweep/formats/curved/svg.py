@@ -7,7 +7,7 @@ from itertools import islice
 from typing import NoReturn
 from xml.etree.ElementTree import Element
 
-from exactsweep.formats.candidate import Candidate, allow_faults, choose_same
+from exactsweep.formats.candidate import Candidate, limit_faults, match_region
 from exactsweep.formats.curved.affine import Affine
 from exactsweep.formats.curved.join import OpenLine, draw_outline, join_layers
 from exactsweep.formats.curved.path import Path, draw_circle, draw_lines, flatten_together
@@ -46,7 +46,7 @@ def read_svg(root: Element, reading: Reading, style: Style | None = None) -> lis
     # A missing unit is an error of the whole file.
     _ = placed.unit if reading.unit is None else placed.matrix
     try:
-        return join_layers(allow_faults(_draw(document.shapes(placed, 0), reading)), reading)
+        return join_layers(limit_faults(_draw(document.shapes(placed, 0), reading)), reading)
     except RecursionError:
         raise FormatError("nested too deeply") from None
 
@@ -55,7 +55,7 @@ def _draw(shapes: Iterator[PlacedElement], reading: Reading) -> Iterator[Candida
     for shape in shapes:
         parts = _read(shape, reading)
         # Too many vertices are an error of the whole file.
-        reading.allow_vertices(0)
+        reading.charge_vertices(0)
         yield from parts
 
 
@@ -88,11 +88,11 @@ class Document:
                 ):
                     yield from self._drawn(PlacedElement(child, placed, self.reading), depth)
             return
-        if self.reading.skip_hidden(find_reason_hidden(placed)):
+        if self.reading.skip_hidden(explain_hidden(placed)):
             return
         if depth:
             size = sum(map(len, element.attrib.values()))
-            self.reading.allow_copies(1, size, "uses expand to", "elements")
+            self.reading.charge_copies(1, size, "uses expand to", "elements")
         if name in _GROUPS:
             yield from self.shapes(placed, depth)
         elif name == "switch":
@@ -123,7 +123,7 @@ class Document:
             yield from self._drawn(drawn, depth)
 
 
-def find_reason_hidden(placed: PlacedElement) -> str:
+def explain_hidden(placed: PlacedElement) -> str:
     """Return why an element is hidden; "" if it is visible."""
     name = name_kind(placed.element)
     if name in SHAPES and placed.inherited("visibility", "visible") in _INVISIBLE:
@@ -210,7 +210,7 @@ def _draw_regions(
         reading.notes[note] = None
 
     def find_finer(k: int, tolerance: Fraction) -> Candidate | None:
-        return choose_same(
+        return match_region(
             pieces, k, _draw_regions(closed, shape, reading.with_tolerance(tolerance))
         )
 
@@ -230,7 +230,7 @@ def _name(shape: PlacedElement) -> str | None:
 
 def _polygon(shape: PlacedElement, matrix: Affine, reading: Reading) -> list[Path]:
     text = shape.element.get("points", "")
-    reading.allow_vertices(count_decimals(text) // 2)
+    reading.charge_vertices(count_decimals(text) // 2)
     points = read_points(text)
     if not points:
         raise FormatError("no points")

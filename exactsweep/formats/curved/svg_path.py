@@ -43,7 +43,7 @@ def read_path(data: str, matrix: Affine, reading: Reading) -> list[Path]:
         if not drawn.found and letter not in "Mm":
             _fail("the path does not begin with M", place)
         count = count_decimals(numbers)
-        reading.allow_vertices(count // size if size else 1)
+        reading.charge_vertices(count // size if size else 1)
         # The flags of an arc may run together, so its numbers cannot be counted.
         if (size and letter not in "Aa" and count % size) or bool(size) != bool(count):
             after = quote(data[place + 1 : place + 21]) if data[place + 1 :] else "the end"

@@ -7,7 +7,7 @@ from fractions import Fraction
 from functools import cached_property
 from xml.etree.ElementTree import Element
 
-from exactsweep.formats.curved.affine import IDENTITY, Affine, make_scaling, make_shift
+from exactsweep.formats.curved.affine import IDENTITY, Affine, scale_axes, translate
 from exactsweep.formats.curved.svg_style import Style, name_kind
 from exactsweep.formats.curved.svg_transform import compose, read_transform
 from exactsweep.formats.curved.xml import line
@@ -85,9 +85,9 @@ class PlacedElement:
         with prefix_errors(self.place, FormatError):
             product = compose(outer, read_transform(self.transform))
             if self.parent is None:
-                return compose(make_scaling(self.unit, self.unit), product)
+                return compose(scale_axes(self.unit, self.unit), product)
             if name_kind(self.element) == "use":
-                return compose(product, make_shift(self.length("x"), self.length("y")))
+                return compose(product, translate(self.length("x"), self.length("y")))
             return compose(product, self._view()) if name_kind(self.element) in _VIEWS else product
 
     @cached_property
@@ -175,7 +175,7 @@ class PlacedElement:
         """Return the map from the inside of a nested svg or a symbol to the outside."""
         attributes = self.element.attrib
         x, y = (self.length(axis) if name_kind(self.element) == "svg" else 0 for axis in "xy")
-        at = make_shift(x, y)
+        at = translate(x, y)
         if "viewBox" not in attributes:
             return at
         left, top, width, height = self._box()
@@ -190,7 +190,7 @@ class PlacedElement:
                 shares, scales, fitted, (width, height), strict=True
             )
         ]
-        return at @ make_shift(*rests) @ make_scaling(*fitted) @ make_shift(-left, -top)
+        return at @ translate(*rests) @ scale_axes(*fitted) @ translate(-left, -top)
 
     def _fit(self, scales: list[Fraction]) -> tuple[list[Fraction], list[Fraction]]:
         """Return the scales by preserveAspectRatio, and the share of spare space before each."""

@@ -4,7 +4,7 @@ import re
 from collections.abc import Callable, Sequence
 from fractions import Fraction
 
-from exactsweep.formats.curved.affine import IDENTITY, Affine, make_affine, make_scaling, make_shift
+from exactsweep.formats.curved.affine import IDENTITY, Affine, make_affine, scale_axes, translate
 from exactsweep.formats.curved.arc import make_rotation
 from exactsweep.formats.decimals import read_decimals, show_number
 from exactsweep.formats.error import FormatError
@@ -51,7 +51,7 @@ def _rotate(numbers: Sequence[Fraction]) -> Affine:
     if not center:
         return turn
     x, y = center
-    return make_shift(x, y) @ turn @ make_shift(-x, -y)
+    return translate(x, y) @ turn @ translate(-x, -y)
 
 
 def _skew_x(numbers: Sequence[Fraction]) -> Affine:
@@ -73,8 +73,8 @@ def _skew_y(numbers: Sequence[Fraction]) -> Affine:
 _Make = Callable[[Sequence[Fraction]], Affine]
 _FUNCTIONS: dict[str, tuple[_Make, tuple[int, ...]]] = {
     "matrix": (lambda numbers: Affine(*numbers), (6,)),
-    "translate": (lambda n: make_shift(n[0], n[1] if n[1:] else Fraction(0)), (1, 2)),
-    "scale": (lambda n: make_scaling(n[0], n[-1]), (1, 2)),
+    "translate": (lambda n: translate(n[0], n[1] if n[1:] else Fraction(0)), (1, 2)),
+    "scale": (lambda n: scale_axes(n[0], n[-1]), (1, 2)),
     "rotate": (_rotate, (1, 3)),
     "skewX": (_skew_x, (1,)),
     "skewY": (_skew_y, (1,)),

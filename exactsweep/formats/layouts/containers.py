@@ -48,7 +48,7 @@ def find_sheets(outlines: Sequence[Candidate], container: str | None) -> list[Sh
     by_size = sorted(marked, key=size, reverse=True)
     found: list[Candidate] = []
     for one in by_size:
-        if not any(_meet(boxes[id(one)], boxes[id(other)]) for other in found):
+        if not any(_overlap(boxes[id(one)], boxes[id(other)]) for other in found):
             found.append(one)
     on_layer = [one for one in found if one.layer is not None and _is_word(one.layer)]
     if container is None and len(on_layer) != 1:
@@ -60,7 +60,7 @@ def find_sheets(outlines: Sequence[Candidate], container: str | None) -> list[Sh
         largest = max(outlines, key=size)
         others = [one for one in outlines if one is not largest]
         ties = any(size(one) == size(largest) and not _is_copy(one, largest) for one in others)
-        if ties or not all(_holds(boxes[id(largest)], boxes[id(one)]) for one in others):
+        if ties or not all(_contains_center(boxes[id(largest)], boxes[id(one)]) for one in others):
             raise FormatError(_list_candidates(sorted(outlines, key=size, reverse=True), boxes))
         found = [largest]
     found.sort(key=lambda one: next(k for k, other in enumerate(outlines) if other is one))
@@ -73,7 +73,7 @@ def find_sheets(outlines: Sequence[Candidate], container: str | None) -> list[Sh
             # The sheet that contains the center of the box, else one that meets it, else the first.
             fitting = (
                 s
-                for test in (_holds, _meet)
+                for test in (_contains_center, _overlap)
                 for s in sheets
                 if test(boxes[id(s.container)], boxes[id(one)])
             )
@@ -156,13 +156,13 @@ def _list_edges(outline: Candidate) -> set[frozenset[Point]]:
     return {edge for edge in edges if len(edge) == 2}
 
 
-def _meet(one: _BoundingBox, other: _BoundingBox) -> bool:
+def _overlap(one: _BoundingBox, other: _BoundingBox) -> bool:
     left, low, right, high = one
     west, south, east, north = other
     return left < east and west < right and low < north and south < high
 
 
-def _holds(sheet: _BoundingBox, box: _BoundingBox) -> bool:
+def _contains_center(sheet: _BoundingBox, box: _BoundingBox) -> bool:
     """Return whether the center of a box is in a sheet."""
     left, low, right, high = sheet
     west, south, east, north = box

@@ -15,7 +15,7 @@ from exactsweep.formats.folder import make_unique
 from exactsweep.formats.layouts.containers import Sheet, find_sheets
 from exactsweep.formats.layouts.model import IDENTITY_PLACEMENT, FoundLayout, write_rings
 from exactsweep.formats.node import Data
-from exactsweep.formats.parsing import parse_by
+from exactsweep.formats.parsing import parse_with
 from exactsweep.formats.part_list import Remarks
 from exactsweep.formats.reading import UNITS, Reading
 from exactsweep.geometry.canonical import PolygonError, find_doubled_area
@@ -33,7 +33,7 @@ def draw_layouts(
     """Make a layout for each container; reject unreadable outlines, which could be invalid."""
     flat = reading.without_nesting()
     flat.separate = reading.nested is not False
-    drawn = parse_by(text, flat)
+    drawn = parse_with(text, flat)
     notes = [*drawn.left_out, *drawn.notes]
     notes += [f"skipped: {one.fault}" for one in drawn if one.fault and one.ornament]
     plain = [one for one in drawn if not one.ornament]

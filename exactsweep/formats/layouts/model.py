@@ -122,10 +122,10 @@ def require_within_strip(container: Data, instance: NestingInstance, place: str)
             raise FormatError(f"{place} is {larger} than the strip of the instance")
 
 
-def find_named(things: Mapping[str, Any], name: JsonNode, what: str) -> Any:
-    if name.name not in things:
+def find_named(items: Mapping[str, Any], name: JsonNode, what: str) -> Any:
+    if name.name not in items:
         raise FormatError(f"{name.path}: there is no {what} {quote(name.name)}")
-    return things[name.name]
+    return items[name.name]
 
 
 def write_rings(outline: Candidate) -> Data:

@@ -14,7 +14,7 @@ import re
 from collections.abc import Iterable, Iterator, Mapping
 from xml.etree.ElementTree import Element
 
-from exactsweep.formats.curved.svg import DRAWN, SHAPES, find_reason_hidden, read_svg
+from exactsweep.formats.curved.svg import DRAWN, SHAPES, explain_hidden, read_svg
 from exactsweep.formats.curved.svg_placed import PlacedElement
 from exactsweep.formats.curved.svg_style import Style, find_link, name_kind
 from exactsweep.formats.curved.xml import line
@@ -55,13 +55,13 @@ class _NestDrawing:
             shown = []
             for child in element:
                 placed = PlacedElement(child, self.placed[element], reading)
-                if not reading.skip_hidden(find_reason_hidden(placed)):
+                if not reading.skip_hidden(explain_hidden(placed)):
                     self.placed[child] = placed
                     shown.append(child)
             element[:] = shown
         self.named = {e.attrib["id"]: e for e in reversed(self.placed) if "id" in e.attrib}
 
-    def one_shape(self, elements: Iterable[Element], within: Element) -> Data:
+    def read_one_shape(self, elements: Iterable[Element], within: Element) -> Data:
         """Read the only shape of some elements, without the transformation of `within`."""
         rule = self.placed[within].inherited("fill-rule", "nonzero")
         place = Element("svg", {"#line": "1", "style": f"fill-rule: {rule}"})
@@ -73,7 +73,7 @@ class _NestDrawing:
             raise FormatError(f"line {lines}: expected one outline, found {len(found)}")
         return write_rings(found[0])
 
-    def motion(self, element: Element) -> Data:
+    def read_motion(self, element: Element) -> Data:
         placed = self.placed[element]
         with prefix_errors(placed.place, FormatError):
             match = _MOTION.fullmatch(placed.transform)
@@ -105,7 +105,7 @@ def _jagua(drawing: _NestDrawing, containers: Mapping[str, Data]) -> Iterator[Fi
     if container is None and zones is not None and len(zones):
         # Zones of quality 0 are defects, but the drawn container lacks them.
         raise FormatError(f"line {line(zones)}: quality zones need --instance")
-    container = container or drawing.one_shape([around], around)
+    container = container or drawing.read_one_shape([around], around)
     items, outer = placed[named["items"]], placed[around].parent
     if outer is None or items.matrix != outer.matrix:
         raise FormatError(f"{items.place}: moved differently from the container")
@@ -118,9 +118,9 @@ def _jagua(drawing: _NestDrawing, containers: Mapping[str, Data]) -> Iterator[Fi
         if f"item_{name}" not in named:
             raise FormatError(f"line {line(use)}: use: no item {quote(link)}")
         if name not in drawing.parts:
-            shape = drawing.one_shape([named[f"item_{name}"]], use)
+            shape = drawing.read_one_shape([named[f"item_{name}"]], use)
             drawing.parts[name] = {"id": name, **shape}
-        placements.append({"part": name, **drawing.motion(use)})
+        placements.append({"part": name, **drawing.read_motion(use)})
     yield FilledSheet(container, placements, places=_list_lines(uses))
 
 
@@ -137,13 +137,13 @@ def _nested(root: Element, drawing: _NestDrawing) -> Iterator[FilledSheet]:
         read += moved
         placements = []
         for child in moved:
-            shape = drawing.one_shape(child, child)
+            shape = drawing.read_one_shape(child, child)
             key = json.dumps(shape)
             if key not in known:
                 known[key] = str(len(known))
                 drawing.parts[known[key]] = {"id": known[key], **shape}
-            placements.append({"part": known[key], **drawing.motion(child)})
-        container = drawing.one_shape(outlines, group)
+            placements.append({"part": known[key], **drawing.read_motion(child)})
+        container = drawing.read_one_shape(outlines, group)
         yield FilledSheet(container, placements, places=_list_lines(moved))
     if known:
         drawing.require_all(root, read)

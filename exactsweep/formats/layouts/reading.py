@@ -57,7 +57,7 @@ def parse_layouts(text: str, **options: Unpack[LayoutOptions]) -> list[model.Fou
         >>> found.data["parts"]
         [{'id': 'a', 'exterior': [['0', '0'], ['3', '0'], ['3', '1']]}]
     """
-    instance, container, reading = _take_options(**options)
+    instance, container, reading = _parse_options(**options)
     known = _parse_instance(instance, reading)
     if instance is not None and known is None:
         raise FormatError("not an instance of a nesting program")
@@ -91,7 +91,7 @@ def read_layouts(path: str, **options: Unpack[LayoutOptions]) -> list[model.Foun
     Cost: linear in the length of the text.
     """
     part, radians = options.get("part"), options.get("radians", False)
-    instance, container, reading = _take_options(**options)
+    instance, container, reading = _parse_options(**options)
     file, choice = split_choice(path)
     known, wanted = None, None
     if instance is not None:
@@ -161,7 +161,7 @@ def _convert_turn(turn: Any) -> Any:
     return format_fraction(to_degrees(to_fraction(turn)))
 
 
-def _take_options(
+def _parse_options(
     instance: str | None = None,
     container: _Container = None,
     tolerance: object = None,
