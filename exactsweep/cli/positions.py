@@ -204,7 +204,7 @@ def _place(part: NamedRegion, pose: Pose) -> NamedRegion:
 
 
 def _tabulate_pairs(names: list[tuple[str, str]], found: list[NoFitPolygon], output: str) -> str:
-    numbers = ("vertices", "holes", "exact fits", "area about")
+    numbers = ("vertices", "holes", "exact fits", "approx. area")
     table = make_table(("stationary", "orbiting", "class", *numbers), numbers)
     for (d, g), n in zip(names, found, strict=True):
         sizes = (len(n.exterior), len(n.holes), len(n.exact_fits))
@@ -281,7 +281,7 @@ def ifp_command(
 
 
 def _tabulate_poses(poses: list[Pose], found: list[InnerFit], output: str) -> str:
-    numbers = ("regions", "exact fits", "area about")
+    numbers = ("regions", "exact fits", "approx. area")
     table = make_table(("turn", "fits", *numbers, "leftmost position"), numbers)
     for pose, fit in zip(poses, found, strict=True):
         points = [p for region in fit.regions for p in region.exterior.vertices]

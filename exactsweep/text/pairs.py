@@ -37,7 +37,7 @@ def report_sum(
     loops = {"exterior": found.exterior}
     loops |= {f"hole {k}": hole for k, hole in enumerate(found.holes)}
     width = max(map(len, [*loops, "b (path)"]))
-    sizes = report.make_table(("", "vertices", "area about", "area exactly"), {"vertices"}, width)
+    sizes = report.make_table(("", "vertices", "approx. area", "exact area"), {"vertices"}, width)
     sizes.add_row("a", str(len(a)), *report.write_area(a.area))
     if isinstance(b, Polyline):
         sizes.add_row("b (path)", str(len(b)), "", "")
@@ -95,7 +95,7 @@ def report_overlaps(
     found: Sequence[NamedOverlap], free: int, terminal_width: int | None = None
 ) -> str:
     """List the pairs that overlap or touch, and count the free ones."""
-    numbers = ("area about", "depth about")
+    numbers = ("approx. area", "approx. depth")
     table = report.make_table(("a", "b", "verdict", *numbers), numbers)
     for first, second, o in found:
         depth = report.approximate(report.take_root(o.depth_squared), up=True)

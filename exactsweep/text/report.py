@@ -50,13 +50,13 @@ def report(
     undercuts   0
     exact fits  0
     <BLANKLINE>
-                vertices  area about  area exactly
-    generatrix         4              1
-    directrix          3  0.166667    1/6
-    trajectory         5  2.5         5/2
-    inner loop         3  0.166667    1/6
-    outer loop         5  6.83333     41/6
-    swept area            6.66667     20/3
+                vertices  approx. area  exact area
+    generatrix         4                1
+    directrix          3  0.166667      1/6
+    trajectory         5  2.5           5/2
+    inner loop         3  0.166667      1/6
+    outer loop         5  6.83333       41/6
+    swept area            6.66667       20/3
     <BLANKLINE>
     trajectory  (-1,-1) (1,-1) (1,0) (0,1/3) (-1,1/3)
     inner loop  (0,0) (1,0) (0,1/3)
@@ -146,7 +146,7 @@ def _format_report(
     texts = {called: str(loop).replace(", ", ",") for called, loop in loops.items()}
     texts |= {called: " ".join(map(write_pair, points)) for called, points in ends.items()}
     width = max(map(len, [*facts, *shapes, name, *texts]))
-    sizes = make_table(("", "vertices", "area about", "area exactly"), {"vertices"}, width)
+    sizes = make_table(("", "vertices", "approx. area", "exact area"), {"vertices"}, width)
     for called, shape in shapes.items():
         sizes.add_row(called, str(len(shape)), *write_area(shape.area))
     sizes.add_row(name, "", *write_area(area))
