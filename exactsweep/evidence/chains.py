@@ -17,7 +17,6 @@ from fractions import Fraction
 from math import isqrt
 from typing import Any, NamedTuple
 
-from exactsweep.evidence.boxes import CellBox, are_touching
 from exactsweep.evidence.homogeneous import (
     DirectedSegment,
     Interval,
@@ -29,7 +28,7 @@ from exactsweep.evidence.homogeneous import (
     is_right,
 )
 from exactsweep.evidence.slits import Gap, unite
-from exactsweep.evidence.sums import Sums
+from exactsweep.evidence.sums import CellBox, Sums, are_touching
 
 _STRIPS = 8
 """The number of strips divided by the square root of the number of known edges."""
@@ -109,7 +108,7 @@ class _Finder:
         """Add known edges, and list the sums along them, which are left of loops."""
         if not self._known:
             self._strips = _Strips(self._sums.box, _STRIPS * isqrt(len(edges)) + 1)
-        bound, first = self._sums.grid.bound, len(self._known)
+        bound, first = self._sums.bound, len(self._known)
         self._known += edges
         boxes = [(bound((edge.start, edge.end)), first + n) for n, edge in enumerate(edges)]
         near: dict[int, list[int]] = defaultdict(list)
@@ -117,8 +116,8 @@ class _Finder:
             box = bound((side.start, side.end))
             for n in (n for other, n in boxes if are_touching(box, other)):
                 near[n].append(k)
-        for n, k in self._sums.find_near(boxes):
-            near[n].append(k)
+        for box, n in boxes:
+            near[n] += self._sums.find_near(box)
         for n, numbers in near.items():
             for k in numbers:
                 self._edges[k].append(n)
@@ -162,8 +161,7 @@ class _Finder:
         if k not in self._chains:
             self._chains[k] = []
             self._listed.append(k)
-            corners = [side.start for side in self._sides(k)]
-            self._strips.add(k, self._sums.measure(k), self._sums.grid.bound(corners))
+            self._strips.add(k, self._sums.measure(k), self._sums.boxes[k])
 
     def cover(self) -> None:
         """Find a chain for each side of listed sums, and list more sums if necessary."""
@@ -222,7 +220,7 @@ class _Finder:
         self, side: DirectedSegment, reach: Fraction, closed: bool
     ) -> tuple[Interval, int] | None:
         """Find a sum that covers a side from a parameter onward, by (2), and list it."""
-        box = self._sums.grid.bound([find_between(side.start, side.end, reach)])
+        box = self._sums.bound([find_between(side.start, side.end, reach)])
         for k in self._find_around(box):
             span = clip(self._sides(k), side.start, side.end)
             if span and span[1] > reach and _continues(span[0], k, reach, closed):
@@ -237,14 +235,14 @@ class _Finder:
             yield self._last
         yield from self._beyond
         yield from self._strips.find_near(box)
-        near = (k for _, k in self._sums.find_near([(box, 0)]) if k not in self._chains)
+        near = (k for k in self._sums.find_near(box) if k not in self._chains)
         yield from sorted(near, key=self._sums.measure, reverse=True)
 
     def _find_end(self, side: DirectedSegment, reach: Fraction, closed: bool) -> Fraction:
         """Find where a slit ends: at the start of the next sum or edge."""
         start, end = side.start, side.end
-        near = self._sums.find_near([(self._sums.grid.bound([start, end]), 0)])
-        numbers = (*self._beyond, *(k for _, k in near))
+        near = self._sums.find_near(self._sums.bound([start, end]))
+        numbers = (*self._beyond, *near)
         spans = [clip(self._sides(k), start, end) for k in numbers]
         spans += [intersect(side, edge) for edge in self._known]
         lows = [span[0] for span in spans if span]

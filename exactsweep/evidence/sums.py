@@ -6,30 +6,61 @@ from collections import defaultdict
 from collections.abc import Iterable, Iterator, Sequence
 from itertools import chain, pairwise
 
-from exactsweep.evidence.boxes import BoxGrid, CellBox, find_touching, grow
 from exactsweep.evidence.homogeneous import DirectedSegment, Node, direct_side, list_sides, place
+from exactsweep.geometry.near import BoxRows
+
+CellBox = tuple[int, int, int, int]
+"""The left, right, low and high end of a box on the grid."""
+
+# The number of columns and of rows of the grid.
+_CELLS = 1 << 30
+
+
+def are_touching(one: CellBox, other: CellBox) -> bool:
+    """Decide whether two closed boxes intersect."""
+    left, right, low, high = one
+    west, east, south, north = other
+    return west <= right and left <= east and south <= high and low <= north
 
 
 class Sums:
-    """The open sums of convex pieces of two shapes.
+    """The open sums of convex pieces of two shapes, with their boxes on a grid.
 
     Sum i n + j adds piece i of the first shape, a convex counter-clockwise ring or a segment, and
     piece j of the n pieces of the second shape, a ring of points with w = 1.
     """
 
     def __init__(self, first: Sequence[Sequence[Node]], second: Sequence[Sequence[Node]]) -> None:
-        self.grid = BoxGrid([*chain(*first, *second)])
-        self.count, self._columns = len(first) * len(second), len(second)
+        points = [*chain(*first, *second)]
+        xs, ys = [x // w for x, _, w in points], [y // w for _, y, w in points]
+        self._size = max(max(xs) - min(xs), max(ys) - min(ys)) + 1
+        self._columns = len(second)
         self._pieces = [[_from_lowest(ring) for ring in shape] for shape in (first, second)]
-        self._trees = [
-            grow([(self.grid.bound(ring), k) for k, ring in enumerate(shape)])
-            for shape in (first, second)
-        ]
         self._parallel = [_by_direction(pieces) for pieces in self._pieces]
-        left, right, low, high = zip(*(tree.box for tree in self._trees), strict=True)
-        self.box: CellBox = sum(left), sum(right), sum(low), sum(high)
+        boxes, others = (list(map(self.bound, shape)) for shape in (first, second))
+        self.boxes = [
+            (left + west, right + east, low + south, high + north)
+            for left, right, low, high in boxes
+            for west, east, south, north in others
+        ]
+        self.count = len(self.boxes)
+        lefts, rights, lows, highs = zip(*self.boxes, strict=True)
+        self.box = left, right, low, high = min(lefts), max(rights), min(lows), max(highs)
+        # The rows of the search run along the shorter axis.
+        self._is_wide = right - left > high - low
+        self._rows = BoxRows([self._orient(box) for box in self.boxes])
         self._sides: dict[int, list[DirectedSegment]] = {}
-        self._areas: dict[int, int] = {}
+
+    def _orient(self, box: CellBox) -> CellBox:
+        left, right, low, high = box
+        return (low, high, left, right) if self._is_wide else box
+
+    def bound(self, points: Iterable[Node]) -> CellBox:
+        """Return the box of points on the grid, rounded outwards."""
+        size = self._size
+        cells = [(x * _CELLS // (w * size), y * _CELLS // (w * size)) for x, y, w in points]
+        xs, ys = zip(*cells, strict=True)
+        return min(xs), max(xs) + 1, min(ys), max(ys) + 1
 
     def sides(self, k: int) -> list[DirectedSegment]:
         """Return the edges of a sum, counter-clockwise from its leftmost lowest vertex."""
@@ -47,19 +78,13 @@ class Sums:
         return [k for k in numbers if k % columns in others or k // columns in rows]
 
     def measure(self, k: int) -> int:
-        """Return twice the area of a sum with corners rounded to the grid."""
-        area = self._areas.get(k)
-        if area is None:
-            cells = [self.grid.find_cell(side.start) for side in self.sides(k)]
-            around = pairwise((*cells, cells[0]))
-            area = self._areas[k] = sum(x * v - u * y for (x, y), (u, v) in around)
-        return area
+        """Return the area of the box of a sum."""
+        left, right, low, high = self.boxes[k]
+        return (right - left) * (high - low)
 
-    def find_near(self, boxes: Sequence[tuple[CellBox, int]]) -> Iterator[tuple[int, int]]:
-        """Yield pairs of the number of a box and the number of a sum whose box touches it."""
-        if boxes:
-            for n, i, j in find_touching(grow(boxes), *self._trees):
-                yield n, i * self._columns + j
+    def find_near(self, box: CellBox) -> Iterator[int]:
+        """Yield the numbers of the sums whose boxes touch a box."""
+        return self._rows.find(self._orient(box))
 
 
 def _undirected(side: DirectedSegment) -> tuple[int, int]:

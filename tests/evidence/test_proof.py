@@ -2,7 +2,6 @@
 
 import json
 from fractions import Fraction
-from itertools import product
 from random import Random
 from typing import Any
 
@@ -15,7 +14,6 @@ from tiers import examples
 
 from exactsweep import Polygon, Region, inner_fit_polygon, no_fit_polygon, sweep
 from exactsweep.check.standalone import Refused, prove
-from exactsweep.evidence.boxes import CellBox, are_touching, find_touching, grow
 from exactsweep.evidence.homogeneous import (
     clip,
     find_between,
@@ -139,22 +137,3 @@ def test_a_segment_is_inside_a_polygon_between_the_ends_of_its_interval(
     is_inside = bool(span and span[0] < at % 1 < span[1])
     assert is_inside == (max(abs(x), abs(y)) < 1)
     assert is_on_border(square, point) == (max(abs(x), abs(y)) == 1)
-
-
-boxes = st.builds(
-    lambda x, y, wide, high: (x, x + wide, y, y + high), *[st.integers(0, 9)] * 2, *[own.tiny()] * 2
-)
-
-
-@often
-@given(st.tuples(*[st.lists(boxes, min_size=1, max_size=9)] * 3))
-def test_boxes_of_trees_touch_as_each_pair_does(lists: tuple[list[CellBox], ...]) -> None:
-    trees = [grow([(box, k) for k, box in enumerate(some)]) for some in lists]
-    one, other, third = lists
-
-    def add(a: CellBox, b: CellBox) -> CellBox:
-        return a[0] + b[0], a[1] + b[1], a[2] + b[2], a[3] + b[3]
-
-    triples = product(*(range(len(some)) for some in lists))
-    expected = [(i, j, k) for i, j, k in triples if are_touching(one[i], add(other[j], third[k]))]
-    assert sorted(find_touching(*trees)) == expected
