@@ -14,7 +14,7 @@ from exactsweep.evidence.sweep import Solution, claim_pair, place_fits, place_lo
 from exactsweep.geometry.canonical import PolygonError
 from exactsweep.geometry.direction import Vector
 from exactsweep.geometry.frame import Kind
-from exactsweep.geometry.interface import GeoJson, collect, make_polygon
+from exactsweep.geometry.interface import GeoJson, collect
 from exactsweep.geometry.point_set import is_on
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.geometry.reading import read_point
@@ -25,14 +25,87 @@ from exactsweep.procedures.positions import FreeRegions, find_inner_fit
 from exactsweep.words import count, write_pair
 
 
-class NoFitAnswer(Certified):
+class RegionAnswer(Certified):
+    """Regions of positions and exact fits."""
+
+    reference: Point
+
+    @cached_property
+    @abstractmethod
+    def solution(self) -> Solution | FreeRegions:
+        """The positions of the moving shapes' origin."""
+
+    @cached_property
+    @abstractmethod
+    def regions(self) -> tuple[Region, ...]:
+        """The regions of positions, sorted."""
+
+    @cached_property
+    def exact_fits(self) -> tuple[Fit, ...]:
+        """The positions without room to either side, in the form of `NoFitPolygon.exact_fits`."""
+        return place_fits(self.solution.fits, self.reference)
+
+    def _locate(self, position: Iterable[object]) -> Literal["inside", "boundary", "outside"]:
+        t = read_point(position, "position")
+        loops = [ring for region in self.regions for ring in region.rings]
+        if any(is_on(t, loop) for loop in (*loops, *self.exact_fits)):
+            return "boundary"
+        return "inside" if any(region.contains(t) for region in self.regions) else "outside"
+
+    @property
+    def __geo_interface__(self) -> GeoJson:
+        """A GeoJSON MultiPolygon, or a GeometryCollection if there are exact fits."""
+        return collect([region.rings for region in self.regions], self.exact_fits)
+
+    @property
+    def area(self) -> Fraction:
+        """The area of the regions."""
+        return Area(add_up(region.area for region in self.regions))
+
+    def __str__(self) -> str:
+        fits = (" ".join(map(write_pair, dict.fromkeys(fit))) for fit in self.exact_fits)
+        lines = [*self._describe(), *(f"exact fit: {fit}" for fit in fits)]
+        return "\n".join(lines) or "it does not fit"
+
+    def _describe(self) -> list[str]:
+        return [f"region, {len(region)} vertices: {region}" for region in self.regions]
+
+
+def place_regions(found: FreeRegions, reference: Point) -> tuple[Region, ...]:
+    """Convert the regions of positions of the origin to Regions for a reference point, sorted."""
+    regions = (
+        Region(place_loop(exterior, reference), [place_loop(h, reference) for h in holes])
+        for exterior, holes in found.regions
+    )
+    return tuple(sorted(regions, key=lambda region: region.rings))
+
+
+class OverlapRegions(RegionAnswer):
+    """The positions where moving shapes overlap stationary ones."""
+
+    def locate(self, position: Iterable[object]) -> Literal["overlap", "contact", "free"]:
+        """Locate a position of the moving shapes' reference point, a pair of numbers.
+
+        Returns "overlap" if interiors overlap; "contact" if shapes only touch, on a loop or in an
+        exact fit; "free" if they are apart. Cost: computing the loops and fits.
+
+        Example:
+            >>> from exactsweep import no_fit_polygon
+            >>> n = no_fit_polygon([(0, 0), (1, 0), (0, 1)], [(0, 0), (1, 0), (0, 1)])
+            >>> n.locate((0, 0)), n.locate((1, 0)), n.locate((1, 1))
+            ('overlap', 'contact', 'free')
+        """
+        found = self._locate(position)
+        return "overlap" if found == "inside" else "contact" if found == "boundary" else "free"
+
+
+class NoFitAnswer(OverlapRegions):
     """The loops and exact fits of a no-fit polygon; see `exactsweep.NoFitPolygon`."""
 
     asked = ("stationary", "orbiting", "reference")
 
     stationary: Region
     orbiting: Region
-    reference: Point
     kind: Kind
     solution: Solution
 
@@ -54,31 +127,18 @@ class NoFitAnswer(Certified):
         return tuple(place_loop(hole, self.reference) for hole in self.solution.holes)
 
     @cached_property
+    def regions(self) -> tuple[Region, ...]:
+        """The positions of overlap, as one Region."""
+        return (Region._trust([self.exterior, *self.holes]),)
+
+    @cached_property
     def exact_fits(self) -> tuple[Fit, ...]:
         """Free positions without room to either side: segments and points, sorted.
 
         If only one end of a segment lies on a loop, it comes first. A single position is a segment
         with equal ends.
         """
-        return place_fits(self.solution.fits, self.reference)
-
-    def locate(self, position: Iterable[object]) -> Literal["overlap", "contact", "free"]:
-        """Locate a position of the orbiting polygon's reference point, a pair of numbers.
-
-        Returns "overlap" if the interiors overlap; "contact" if the polygons only touch, on a loop
-        or in an exact fit; "free" if they are apart. Cost: computing the loops and fits.
-
-        Example:
-            >>> from exactsweep import no_fit_polygon
-            >>> n = no_fit_polygon([(0, 0), (1, 0), (0, 1)], [(0, 0), (1, 0), (0, 1)])
-            >>> n.locate((0, 0)), n.locate((1, 0)), n.locate((1, 1))
-            ('overlap', 'contact', 'free')
-        """
-        t = read_point(position, "position")
-        if _is_on(t, (self.exterior, *self.holes), self.exact_fits):
-            return "contact"
-        in_hole = any(hole.contains(t) for hole in self.holes)
-        return "overlap" if self.exterior.contains(t) and not in_hole else "free"
+        return super().exact_fits
 
     def _claim(self) -> dict[str, Any]:
         return claim_pair(self.stationary, self.orbiting, self.solution)
@@ -86,18 +146,11 @@ class NoFitAnswer(Certified):
     @property
     def __geo_interface__(self) -> GeoJson:
         """A GeoJSON Polygon, or a GeometryCollection of it and the exact fits if there are any."""
-        area = [loop.vertices for loop in (self.exterior, *self.holes)]
-        return collect([area], self.exact_fits) if self.exact_fits else make_polygon(area)
+        return super().__geo_interface__ if self.exact_fits else self.regions[0].__geo_interface__
 
-    @property
-    def area(self) -> Fraction:
-        """The area of the positions of overlap."""
-        return Area(self.exterior.area - add_up(hole.area for hole in self.holes))
-
-    def __str__(self) -> str:
-        lines = [f"exterior, {len(self.exterior)} vertices: {self.exterior}"]
-        lines += [f"hole, {len(hole)} vertices: {hole}" for hole in self.holes]
-        return "\n".join([*lines, *map(_said, self.exact_fits)])
+    def _describe(self) -> list[str]:
+        holes = [f"hole, {len(hole)} vertices: {hole}" for hole in self.holes]
+        return [f"exterior, {len(self.exterior)} vertices: {self.exterior}", *holes]
 
     def __repr__(self) -> str:
         return (
@@ -105,55 +158,6 @@ class NoFitAnswer(Certified):
             f"vertices: exterior {len(self.exterior)} vertices, {count(len(self.holes), 'hole')}, "
             f"{count(len(self.exact_fits), 'exact fit')}>"
         )
-
-
-class RegionAnswer(Certified):
-    """Regions of positions and exact fits."""
-
-    reference: Point
-
-    @cached_property
-    @abstractmethod
-    def solution(self) -> FreeRegions:
-        """The positions of the moving shapes' origin."""
-
-    @cached_property
-    def regions(self) -> tuple[Region, ...]:
-        """The regions of positions, sorted; none if the part does not fit."""
-        return self._regions(self.reference)
-
-    def _regions(self, reference: Point) -> tuple[Region, ...]:
-        found = (
-            Region(place_loop(exterior, reference), [place_loop(h, reference) for h in holes])
-            for exterior, holes in self.solution.regions
-        )
-        return tuple(sorted(found, key=lambda region: region.rings))
-
-    @cached_property
-    def exact_fits(self) -> tuple[Fit, ...]:
-        """The positions without room to either side, in the form of `NoFitPolygon.exact_fits`."""
-        return place_fits(self.solution.fits, self.reference)
-
-    def _locate(self, position: Iterable[object]) -> Literal["inside", "boundary", "outside"]:
-        t = read_point(position, "position")
-        loops = [ring for region in self.regions for ring in (region.exterior, *region.holes)]
-        if _is_on(t, loops, self.exact_fits):
-            return "boundary"
-        return "inside" if any(region.contains(t) for region in self.regions) else "outside"
-
-    @property
-    def __geo_interface__(self) -> GeoJson:
-        """A GeoJSON MultiPolygon, or a GeometryCollection if there are exact fits."""
-        return collect([region.rings for region in self.regions], self.exact_fits)
-
-    @property
-    def area(self) -> Fraction:
-        """The area of the regions."""
-        return Area(add_up(region.area for region in self.regions))
-
-    def __str__(self) -> str:
-        lines = [f"region, {len(region)} vertices: {region}" for region in self.regions]
-        return "\n".join([*lines, *map(_said, self.exact_fits)]) or "it does not fit"
 
 
 class InnerFitAnswer(RegionAnswer):
@@ -185,6 +189,11 @@ class InnerFitAnswer(RegionAnswer):
         number = len(self.placed)
         return find_inner_fit(container, part, scale, others[:number], others[number:])
 
+    @cached_property
+    def regions(self) -> tuple[Region, ...]:
+        """The regions of positions, sorted; none if the part does not fit."""
+        return place_regions(self.solution, self.reference)
+
     def __bool__(self) -> bool:
         return bool(self.regions or self.exact_fits)
 
@@ -205,20 +214,11 @@ class InnerFitAnswer(RegionAnswer):
     def _claim(self) -> dict[str, Any]:
         if self.placed or self.attached:
             raise PolygonError("certificates do not cover placed shapes or attached ones")
-        fits = self.solution.fits
-        return claim_inner_fit(self.container, self.part, self._regions(ORIGIN), fits)
+        regions = place_regions(self.solution, ORIGIN)
+        return claim_inner_fit(self.container, self.part, regions, self.solution.fits)
 
     def __repr__(self) -> str:
         return (
             f"<InnerFit of {len(self.part)} in {len(self.container)} vertices: "
             f"{count(len(self.regions), 'region')}, {count(len(self.exact_fits), 'exact fit')}>"
         )
-
-
-def _is_on(t: Point, loops: Iterable[Polygon], fits: Iterable[Fit]) -> bool:
-    return any(is_on(t, ends) for ends in (*(loop.vertices for loop in loops), *fits))
-
-
-def _said(fit: Fit) -> str:
-    ends = dict.fromkeys(fit)
-    return f"exact fit: {' '.join(map(write_pair, ends))}"

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from functools import cached_property
-from typing import Literal, NoReturn
+from typing import NoReturn
 
-from exactsweep.evidence.no_fit import RegionAnswer
+from exactsweep.evidence.no_fit import OverlapRegions, place_regions
 from exactsweep.geometry.canonical import PolygonError
 from exactsweep.geometry.reading import read_point
 from exactsweep.geometry.region import Region, Vertices, share_lattice, to_regions
@@ -15,7 +15,7 @@ from exactsweep.numbers.number import Point
 from exactsweep.procedures.positions import FreeRegions, find_no_fit_union
 
 
-class NoFitUnion(RegionAnswer):
+class NoFitUnion(OverlapRegions):
     """The positions where any orbiting shape overlaps any stationary one; made by `no_fit_union`.
 
     Each property is computed on first access.
@@ -46,10 +46,10 @@ class NoFitUnion(RegionAnswer):
         number = len(self.stationary)
         return find_no_fit_union(rings[:number], rings[number:], scale)
 
-    def locate(self, position: Iterable[object]) -> Literal["overlap", "contact", "free"]:
-        """Locate a position of the reference point, as `NoFitPolygon.locate` does."""
-        found = self._locate(position)
-        return "overlap" if found == "inside" else "contact" if found == "boundary" else "free"
+    @cached_property
+    def regions(self) -> tuple[Region, ...]:
+        """The regions of overlap, sorted."""
+        return place_regions(self.solution, self.reference)
 
     def _claim(self) -> NoReturn:
         raise PolygonError("certificates do not cover groups of shapes; prove each pair separately")

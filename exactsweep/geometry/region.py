@@ -75,11 +75,22 @@ class Region(PointSet):
         inner += [_read_named(hole, f"hole {k}") for k, hole in enumerate(given)]
         if inner and (given or not is_checked):
             _check(outer, inner)
-        rings = [outer, *inner]
-        counts = (1 + max(ring._edge_index) for ring in rings[:-1])
-        self._set(rings, [*accumulate(counts, initial=0)])
+        self._set([outer, *inner])
 
-    def _set(self, rings: Sequence[Polygon], firsts: Sequence[int]) -> None:
+    @staticmethod
+    def _trust(rings: Sequence[Polygon], firsts: Sequence[int] = ()) -> Region:
+        """Make a Region from its exterior and its holes, without validation.
+
+        By default, vertices and edges are numbered in order.
+        """
+        region = Region.__new__(Region)
+        region._set(rings, firsts)
+        return region
+
+    def _set(self, rings: Sequence[Polygon], firsts: Sequence[int] = ()) -> None:
+        if not firsts:
+            counts = (1 + max(ring._edge_index) for ring in rings[:-1])
+            firsts = [*accumulate(counts, initial=0)]
         order = [0, *sorted(range(1, len(rings)), key=lambda k: rings[k].vertices)]
         placed = [(firsts[k], rings[k]) for k in order]
         for name, value in (
@@ -122,7 +133,8 @@ class Region(PointSet):
         return not self.holes and self.exterior.is_convex
 
     def _image(self, under: AffineMap) -> Region:
-        return _restore([ring._image(under) for ring in (self.exterior, *self.holes)], self._firsts)
+        rings = [ring._image(under) for ring in (self.exterior, *self.holes)]
+        return Region._trust(rings, self._firsts)
 
     def __eq__(self, other: object) -> bool:
         if not isinstance(other, (Polygon, Region)):
@@ -134,7 +146,7 @@ class Region(PointSet):
         return hash((self.exterior, self.holes) if self.holes else self.exterior)
 
     def __reduce__(self) -> tuple[object, ...]:
-        return _restore, ((self.exterior, *self.holes), self._firsts)
+        return Region._trust, ((self.exterior, *self.holes), self._firsts)
 
     def __repr__(self) -> str:
         exterior, *holes = (repr(ring) for ring in (self.exterior, *self.holes))
@@ -148,13 +160,6 @@ class Region(PointSet):
 
     def _facts(self) -> list[tuple[str, str]]:
         return [("holes", str(len(self.holes))), ("area", abridge(self.area))]
-
-
-def _restore(rings: Sequence[Polygon], firsts: Sequence[int]) -> Region:
-    """Restore a copy with its input numbering, without validation."""
-    region = Region.__new__(Region)
-    region._set(rings, firsts)
-    return region
 
 
 AnyPolygon = Polygon | Region
