@@ -11,9 +11,9 @@ from benchmarks.clock import milliseconds
 from benchmarks.families import ANY_SHAPE
 from exactsweep import Polygon, no_fit_polygon
 from exactsweep.geometry.edges import EdgeIndex
+from exactsweep.geometry.frame import HomogeneousPoint
 from exactsweep.geometry.overlap import Relation, relate
 from exactsweep.paper.growth import MN, MN_LOG, Growth, Size
-from exactsweep.procedures.chain import HomogeneousPoint
 from exactsweep.procedures.cover import leave_out_covered
 from exactsweep.procedures.crossings import cut
 from exactsweep.procedures.neighbours import leave_out_overlapped

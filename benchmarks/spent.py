@@ -43,9 +43,9 @@ STEPS = (
     Step("chains of both", take_halves),
     Step("trajectory, lower envelopes", lambda s: [half.trajectory for half in take_halves(s)]),
     Step("trajectory, vertices", lambda s: s.trajectory.vertices),
-    Step("inner loop, chains", lambda s: [half.inner for half in take_halves(s)]),
+    Step("inner loop, chains", lambda s: [half.sweep_inner() for half in take_halves(s)]),
     Step("inner loop, vertices", lambda s: s.inner.vertices),
-    Step("outer loop, chains", lambda s: [half.outer for half in take_halves(s)]),
+    Step("outer loop, chains", lambda s: [half.sweep_outer() for half in take_halves(s)]),
     Step("outer loop, vertices", lambda s: s.outer.vertices),
 )
 

@@ -31,9 +31,6 @@ class Certified:
 
     __setattr__ = refuse_to_set
 
-    def _set(self, **attributes: object) -> None:
-        self.__dict__.update(attributes)
-
     def __eq__(self, other: object) -> bool:
         if type(other) is not type(self):
             return NotImplemented

@@ -113,8 +113,8 @@ class NoFitAnswer(OverlapRegions):
         self, stationary: Region, orbiting: Region, direction: Vector | None, reference: Point
     ) -> None:
         solution = solve(orbiting, stationary, direction)
-        self._set(stationary=stationary, orbiting=orbiting, reference=reference)
-        self._set(solution=solution, kind=solution.kind)
+        vars(self).update(stationary=stationary, orbiting=orbiting, reference=reference)
+        vars(self).update(solution=solution, kind=solution.kind)
 
     @cached_property
     def exterior(self) -> Polygon:
@@ -178,8 +178,8 @@ class InnerFitAnswer(RegionAnswer):
         placed: Sequence[Region] = (),
         attached: Sequence[Region] = (),
     ) -> None:
-        self._set(container=container, part=part, reference=reference)
-        self._set(placed=tuple(placed), attached=tuple(attached))
+        vars(self).update(container=container, part=part, reference=reference)
+        vars(self).update(placed=tuple(placed), attached=tuple(attached))
 
     @cached_property
     def solution(self) -> FreeRegions:

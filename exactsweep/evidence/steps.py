@@ -121,7 +121,7 @@ class _Guide:
         landmarks = self._landmarks()
         halves = self._halves()
         found = []
-        positions = s.trajectory.vertices
+        positions, leave = s.trajectory.vertices, s.solution.frame.leave_point
         for k, (edge, following) in enumerate(pairwise([*edges, edges[0]])):
             pieces = [(c, self._piece(c, edge)) for c in s._numbered_contacts[k]]
             pieces.sort(key=lambda piece: _progress(edge, piece[1][0]))
@@ -133,8 +133,8 @@ class _Guide:
                     _direction(positions[k], positions[(k + 1) % len(positions)]),
                     halves[k],
                     tuple(
-                        Touch(s._as_given(c), *s.solution.frame.leave(piece, s.reference))
-                        for c, piece in pieces
+                        Touch(s._as_given(c), leave(start, s.reference), leave(end, s.reference))
+                        for c, (start, end) in pieces
                     ),
                     tuple(landmarks[k]),
                     ending,

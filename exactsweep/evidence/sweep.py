@@ -31,6 +31,7 @@ from exactsweep.numbers.error import explain_type_errors
 from exactsweep.numbers.number import ORIGIN, Area, Fit, Point, Vertex
 from exactsweep.procedures.any_shape import ShapeSolution
 from exactsweep.procedures.monotone import MonotoneSolution
+from exactsweep.procedures.undercuts import find_undercuts
 from exactsweep.words import write_vector
 
 Solution = MonotoneSolution | ShapeSolution
@@ -87,8 +88,8 @@ class SweepAnswer(Certified):
         reference: Point,
     ) -> None:
         solution = solve(generatrix, directrix, direction)
-        self._set(generatrix=generatrix, directrix=directrix, direction=direction)
-        self._set(reference=reference, solution=solution, kind=solution.kind)
+        vars(self).update(generatrix=generatrix, directrix=directrix, direction=direction)
+        vars(self).update(reference=reference, solution=solution, kind=solution.kind)
 
     @cached_property
     def trajectory(self) -> Polygon:
@@ -137,8 +138,12 @@ class SweepAnswer(Certified):
 
     @cached_property
     def _boundaries(self) -> tuple[Outline, Outline]:
-        s = self.solution
-        return Outline(s.generatrix), Outline(s.directrix)
+        frame, outlines = self.solution.frame, []
+        for shape in (self.generatrix, self.directrix):
+            scale, rings = Region(shape).lattice()
+            outlines.append(Outline([frame.enter(scale, ring) for ring in rings]))
+        generatrix, directrix = outlines
+        return generatrix, directrix
 
     @cached_property
     def _route(self) -> Outline:
@@ -221,15 +226,18 @@ class SweepAnswer(Certified):
 
         Holes of D are not undercuts.
         """
-        undercuts, frame = self.solution.undercuts, self.solution.frame
+        frame, loop = self.solution.frame, self._enter(self.solution.inner)
+        first = loop.index(min(loop))
+        directrix = self._enter(self.directrix.exterior.vertices)
+        undercuts = find_undercuts(loop[first:] + loop[:first], directrix)
         if not undercuts:
             return ()
         tracer, found = Tracer(self._route, self._boundaries[0]), []
         for bottom, top in undercuts:
             intersection, positions = find_closing_positions(bottom, tracer)
-            points = frame.leave(bottom + top[-2:0:-1])
+            points = list(map(frame.leave_point, bottom + top[-2:0:-1]))
             chain = tuple(points[: len(bottom)])
-            placed = tuple(frame.leave(positions, self.reference))
+            placed = tuple(frame.leave_point(t, self.reference) for t in positions)
             extremes = chain[0], chain[-1]
             found.append(Undercut(Polygon(points), extremes, chain, intersection, placed))
         return tuple(found)

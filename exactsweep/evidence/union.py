@@ -37,7 +37,7 @@ class NoFitUnion(OverlapRegions):
     def __init__(
         self, stationary: tuple[Region, ...], orbiting: tuple[Region, ...], reference: Point
     ) -> None:
-        self._set(stationary=stationary, orbiting=orbiting, reference=reference)
+        vars(self).update(stationary=stationary, orbiting=orbiting, reference=reference)
 
     @cached_property
     def solution(self) -> FreeRegions:

@@ -7,7 +7,8 @@ without square roots, and the loops do not depend on the choice of u.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
+from math import lcm
 from typing import Literal, NamedTuple
 
 from exactsweep.geometry.direction import (
@@ -21,6 +22,7 @@ from exactsweep.geometry.vectors import minus
 from exactsweep.numbers.number import (
     ORIGIN,
     Point,
+    Rational,
     Vertex,
     divide,
     ratio,
@@ -53,6 +55,23 @@ def require_monotone(polygon: Polygon, direction: Vector, name: str) -> None:
         )
 
 
+HomogeneousPoint = tuple[int, int, int]
+"""(x, y, w): the point (x/w, y/w), w > 0."""
+
+
+def to_homogeneous(x: Rational, y: Rational) -> HomogeneousPoint:
+    """Return the homogeneous coordinates of a point, with the least possible w.
+
+    >>> from fractions import Fraction
+    >>> to_homogeneous(Fraction(1, 2), Fraction(1, 3))
+    (3, 2, 6)
+    """
+    if isinstance(x, int) and isinstance(y, int):
+        return x, y, 1
+    w = lcm(x.denominator, y.denominator)
+    return int(x * w), int(y * w), w
+
+
 class Frame(NamedTuple):
     """The common integer lattice of a pair, rotated so that the shared direction u is the X axis.
 
@@ -63,14 +82,19 @@ class Frame(NamedTuple):
     direction: Vector
     scale: int
 
+    def half_turn(self) -> Frame:
+        """Return the frame after a half turn: the negative direction is the X axis."""
+        p, q = self.direction
+        return Frame((-p, -q), self.scale)
+
     def enter(self, scale: int, points: Sequence[Vertex]) -> list[Vertex]:
         """Convert points from a lattice of another scale to the frame."""
-        k = self.scale // scale
+        k = ratio(self.scale, scale)
         p, q = self.direction
         if k == 1 and (p, q) == X_AXIS:
             return list(points)
-        p, q = k * p, k * q
-        return [(p * x + q * y, p * y - q * x) for x, y in points]
+        u, v = k * p, k * q
+        return [(u * x + v * y, u * y - v * x) for x, y in points]
 
     def enter_point(self, point: Point, shift: Point = ORIGIN) -> Vertex:
         """Subtract a vector from a point and convert it to the frame; ints if on the lattice."""
@@ -78,15 +102,16 @@ class Frame(NamedTuple):
         x, y = point if shift == ORIGIN else minus(point, shift)
         return ratio((p * x + q * y) * scale, 1), ratio((p * y - q * x) * scale, 1)
 
-    def leave(self, points: Sequence[Vertex], shift: Point = ORIGIN) -> list[Point]:
-        """Convert points of the frame to the plane, and add a vector."""
+    def leave(self, points: Iterable[HomogeneousPoint]) -> list[Point]:
+        """Convert points of the frame to the plane."""
         p, q = self.direction
         scale = self.scale * (p * p + q * q)
-        found = []
-        for x, y in points:
-            unit = scale
-            if type(x) is not int or type(y) is not int:
-                (x, b), (y, d) = x.as_integer_ratio(), y.as_integer_ratio()
-                x, y, unit = x * d, y * b, scale * b * d
-            found.append(Point(divide(p * x - q * y, unit), divide(q * x + p * y, unit)))
-        return found if shift == ORIGIN else [Point(x + shift.x, y + shift.y) for x, y in found]
+        return [
+            Point(divide(p * x - q * y, scale * w), divide(q * x + p * y, scale * w))
+            for x, y, w in points
+        ]
+
+    def leave_point(self, point: Vertex, shift: Point = ORIGIN) -> Point:
+        """Convert a point of the frame to the plane, and add a vector."""
+        (x, y), (dx, dy) = self.leave([to_homogeneous(*point)])[0], shift
+        return Point(x + dx, y + dy)

@@ -93,8 +93,8 @@ def to_graph(points: Sequence[Vertex]) -> Graph:
     pieces: list[Piece] = [
         (*line, *ends) for line, ends in zip(made.lines, pairwise(contacts), strict=True) if line[0]
     ]
-    breaks = [chain.abscissa(start) for _, _, _, (start, _, _), _ in pieces]
-    return Graph([*breaks, chain.abscissa(made.vertices[-1])], pieces)
+    (*_, ((x, _, w), _, _)) = pieces[-1]
+    return Graph([*((u, v) for _, _, _, ((u, _, v), _, _), _ in pieces), (x, w)], pieces)
 
 
 def list_sub_trajectories(chains: Chains) -> list[Graph]:

@@ -17,7 +17,6 @@ from exactsweep.geometry.overlap import Relation, relate
 from exactsweep.geometry.region import Region, share_lattice
 from exactsweep.numbers.number import Fit, Point, Vertex
 from exactsweep.procedures.positions import find_inner_fit, find_no_fit, find_sum, reflect
-from exactsweep.procedures.undercuts import UndercutChains, find_undercuts
 from exactsweep.procedures.walk import FreeBoundary
 
 
@@ -79,7 +78,7 @@ class ShapeSolution:
     @cached_property
     def inner(self) -> list[Point]:
         """The inner loop around D: D with its undercuts and holes closed."""
-        shape = EdgeIndex([self.frame.leave(self.directrix[0])])
+        shape = EdgeIndex([list(map(self.frame.leave_point, self.directrix[0]))])
         # D lies in one of these loops, and their interiors are disjoint.
         return next(
             loop for loop in self._inside if relate(EdgeIndex([loop]), shape) is Relation.OVERLAP
@@ -89,9 +88,3 @@ class ShapeSolution:
     def unswept(self) -> list[list[Point]]:
         """The other holes of the swept area, sorted."""
         return sorted([loop for loop in self._inside if loop != self.inner] + self._outside.within)
-
-    @cached_property
-    def undercuts(self) -> list[UndercutChains]:
-        """The regions between D and the inner loop, without the holes of D."""
-        inner = [self.frame.enter_point(vertex) for vertex in self.inner]
-        return find_undercuts(inner, self.directrix[0])

@@ -12,22 +12,24 @@ from __future__ import annotations
 
 from bisect import bisect_left
 from collections.abc import Sequence
+from itertools import pairwise
+from math import lcm
 
-from exactsweep.procedures.chain import Break, Chain, ConvexPart, partition
-from exactsweep.procedures.graph import Graph, Piece, Ranges, VertexContact
+from exactsweep.geometry.direction import slope_key
+from exactsweep.procedures.chain import Break, Chain, ConvexPart
+from exactsweep.procedures.graph import Graph, Piece, VertexContact
 
 
-def trajectory_cc(generatrix: Chain, directrix: Chain) -> Graph:
+def trajectory_cc(generatrix: Chain, directrix: Chain) -> Chain:
     """Compute the trajectory T(G_t, D_b) of a convex top chain along a convex bottom chain.
 
     Procedure Trajectory_CC, for reversed G_t and D_b without vertical edges. Cost: O(m + n).
 
     >>> lid, valley = Chain.of([(-1, -1), (0, -1)]), Chain.of([(0, 0), (1, -1), (2, 0)])
-    >>> list(trajectory_cc(lid, valley))
+    >>> trajectory_cc(lid, valley).points
     [(-1, -1), (0, -2), (1, -2), (2, -1)]
     """
-    (g,), (d,) = partition(generatrix, directrix)
-    return merge_by_slope(g, d)
+    return merge_by_slope(generatrix, directrix)
 
 
 def sweep_inner_cc(generatrix: Chain, directrix: Chain) -> Chain:
@@ -36,35 +38,54 @@ def sweep_inner_cc(generatrix: Chain, directrix: Chain) -> Chain:
     Procedure SweepI_CC, with the arguments of `trajectory_cc`.
 
     >>> lid, valley = Chain.of([(-1, -1), (0, -1)]), Chain.of([(0, 0), (1, -1), (2, 0)])
-    >>> list(sweep_inner_cc(lid, valley))
+    >>> sweep_inner_cc(lid, valley).points
     [(0, 0), (1, -1), (2, 0)]
     """
     return directrix
 
 
-def sweep_outer_cc(generatrix: Chain, bottom: Chain, directrix: Chain) -> Graph:
+def sweep_outer_cc(generatrix: Chain, bottom: Chain, directrix: Chain) -> Chain:
     """Compute the outer boundary of the sweep of a convex G along a convex D_b (Lemma 3.2).
 
     Procedure SweepO_CC: merge the edges of reversed G_t, of `bottom` (G_b) and of D_b by slope,
     starting at v_l of D + (v_l - v_r of G). Cost: O(m + n).
 
     >>> lid, valley = Chain.of([(-1, -1), (0, -1)]), Chain.of([(0, 0), (1, -1), (2, 0)])
-    >>> list(sweep_outer_cc(lid, Chain.of([(0, 0), (1, 0)]), valley))
+    >>> sweep_outer_cc(lid, Chain.of([(0, 0), (1, 0)]), valley).points
     [(-1, -1), (0, -2), (2, -2), (3, -1)]
     """
-    return trajectory_cc(trajectory_cc(generatrix, bottom).chain(), directrix)
+    return merge_by_slope(generatrix, bottom, directrix)
 
 
-def merge_by_slope(generatrix: ConvexPart, directrix: ConvexPart) -> Graph:
-    """Merge the relevant edges of two facing convex parts by slope, with their events (Table 1).
+def merge_by_slope(*chains: Chain) -> Chain:
+    """Merge the edges of convex chains by slope, starting at the sum of their left ends.
 
-    Vertex j of G moves an edge of D_b (VE); vertex i of D_b moves an edge of G (EV).
-    Cost: O(m + n).
+    Cost: O(n) for n edges: the sort merges ascending runs in linear time.
+    """
+    scale = lcm(*(w for chain in chains for _, _, w in chain.vertices))
+    listed = [[(x * scale // w, y * scale // w) for x, y, w in c.vertices] for c in chains]
+    edges = [(u - x, v - y) for points in listed for (x, y), (u, v) in pairwise(points)]
+    x, y = map(sum, zip(*(points[0] for points in listed), strict=True))
+    merged = [(x, y, scale)]
+    last_dx, last_dy = 0, 1
+    for dx, dy in sorted(edges, key=slope_key):
+        x, y = x + dx, y + dy
+        if last_dx * dy == last_dy * dx:
+            merged.pop()
+        merged.append((x, y, scale))
+        last_dx, last_dy = dx, dy
+    return Chain(merged)
+
+
+def subtrajectory(generatrix: ConvexPart, directrix: ConvexPart) -> Graph:
+    """Compute T(G_i, D_j) of two facing convex parts, with its events (Table 1).
+
+    It is Trajectory_CC for the relevant edges of both. Vertex j of G moves an edge of D_b (VE);
+    vertex i of D_b moves an edge of G (EV). Cost: O(m + n).
     """
     gs, ds = generatrix.edges, directrix.edges
     i, i_end = bisect_left(ds, generatrix.least_slope), bisect_left(ds, generatrix.greatest_slope)
     j, j_end = bisect_left(gs, directrix.least_slope), bisect_left(gs, directrix.greatest_slope)
-    # The sort merges two ascending runs in linear time.
     edges = sorted(ds[i:i_end] + gs[j:j_end])
     i, j = i + directrix.first, j + generatrix.first
     (x, y, w), (u, v, z) = directrix.vertices[i], generatrix.vertices[j]
@@ -95,9 +116,7 @@ def merge_by_slope(generatrix: ConvexPart, directrix: ConvexPart) -> Graph:
 
 
 def subtrajectories(
-    generatrix_parts: Sequence[ConvexPart],
-    directrix_parts: Sequence[ConvexPart],
-    ranges: Ranges | None = None,
+    generatrix_parts: Sequence[ConvexPart], directrix_parts: Sequence[ConvexPart]
 ) -> list[list[Graph]]:
-    """Return T(G_i, D_j) for all pairs of facing parts, in row i by j; ignore the x-ranges."""
-    return [[merge_by_slope(g, d) for d in directrix_parts if g.faces(d)] for g in generatrix_parts]
+    """Compute T(G_i, D_j) of all pairs of facing parts, in row i by j."""
+    return [[subtrajectory(g, d) for d in directrix_parts if g.faces(d)] for g in generatrix_parts]

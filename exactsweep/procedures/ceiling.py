@@ -56,7 +56,7 @@ def subtrajectories(
         if (
             g.faces(d)
             and ceiling.is_above(g_low + d_low, g_left + d_left, g_right + d_right)  # (1)
-            and ceiling.lower(graph := cc.merge_by_slope(g, d))  # (3)
+            and ceiling.lower(graph := cc.subtrajectory(g, d))  # (3)
         ):
             found[i].append((j, graph))
     return [[graph for _, graph in sorted(row, key=itemgetter(0))] for row in found]

@@ -14,9 +14,11 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Sequence
 from functools import cached_property
 from itertools import groupby, pairwise
-from math import gcd, inf, lcm
+from math import gcd, inf
+from operator import itemgetter
 from typing import NamedTuple, TypeVar
 
+from exactsweep.geometry.frame import HomogeneousPoint, to_homogeneous
 from exactsweep.numbers.error import ExactSweepError
 from exactsweep.numbers.number import Edge, Rational, Vertex, ratio
 
@@ -24,9 +26,6 @@ V = TypeVar("V", bound=tuple[Rational, Rational, Rational])
 
 Break = tuple[int, int]
 """(x, w): the abscissa x/w, w > 0; not reduced."""
-
-HomogeneousPoint = tuple[int, int, int]
-"""(x, y, w): the point (x/w, y/w), w > 0."""
 
 Line = tuple[int, int, int]
 """(dx, dy, c): the points with dx y = dy x + c, dx >= 0."""
@@ -65,22 +64,33 @@ class Chain:
                 raise ChainError(f"({qx}, {qy}) lies left of ({px}, {py}): not an X-monotone chain")
         if not points or points[0][0] == points[-1][0]:
             raise ChainError("zero width: all edges of the chain are vertical")
-        return cls([scale_to_ints(*point) for point in points])
+        return cls.trust(points)
+
+    @classmethod
+    def trust(cls, points: Iterable[Vertex]) -> Chain:
+        """Create a chain from points, without validation."""
+        return cls([to_homogeneous(*point) for point in points])
 
     @cached_property
     def lines(self) -> list[Line]:
-        """The lines of the edges, with coprime numbers; dx = 0 if vertical."""
+        """The lines of the edges, with small numbers; dx = 0 if vertical."""
         found: list[Line] = []
         for (px, py, pw), (qx, qy, qw) in pairwise(self.vertices):
             dx, dy, c = qx * pw - px * qw, qy * pw - py * qw, py * qx - px * qy
-            common = gcd(dx, dy, c)
-            found.append((dx // common, dy // common, c // common))
+            if pw * qw > 1:
+                common = gcd(dx, dy, c)
+                dx, dy, c = dx // common, dy // common, c // common
+            found.append((dx, dy, c))
         return found
 
     @cached_property
-    def widest(self) -> int:
-        """The greatest dx of all lines."""
-        return max(line[0] for line in self.lines)
+    def unit(self) -> int:
+        """A number u such that slopes of the edges, rounded down to multiples of 1/u, keep order.
+
+        Different slopes dy/dx with dx <= w differ by at least 1/w^2. With few units, chains can
+        share their cached parts.
+        """
+        return 1 << -(-max(dx for dx, _, _ in self.lines).bit_length() // 16) * 32
 
     @property
     def points(self) -> list[Vertex]:
@@ -93,14 +103,6 @@ class Chain:
     def half_turn(self) -> Chain:
         """Return the complement of the chain (Definition 5.2) after a half turn. Cost: O(n)."""
         return Chain([(-x, -y, w) for x, y, w in reversed(self.vertices)])
-
-
-def scale_to_ints(x: Rational, y: Rational) -> HomogeneousPoint:
-    """Return the homogeneous coordinates of a point."""
-    if isinstance(x, int) and isinstance(y, int):
-        return x, y, 1
-    w = lcm(x.denominator, y.denominator)
-    return int(x * w), int(y * w), w
 
 
 def inverse(points: Iterable[Vertex]) -> list[Vertex]:
@@ -155,20 +157,14 @@ def split(loop: Sequence[Vertex]) -> tuple[list[Vertex], list[Vertex]]:
     return bottom, top
 
 
-def precedes(first: Break, second: Break) -> bool:
-    """Decide whether a break lies left of another one."""
-    return first[0] * second[1] < second[0] * first[1]
-
-
-def abscissa(point: HomogeneousPoint) -> Break:
-    """Return the abscissa of a point, not reduced."""
-    x, _, w = point
-    return x, w
+def precedes(first: Break | HomogeneousPoint, second: Break | HomogeneousPoint) -> bool:
+    """Decide whether a break or a point lies left of another one."""
+    return first[0] * second[-1] < second[0] * first[-1]
 
 
 def find_point(line: tuple[int, int, int, *tuple[object, ...]], at: Break) -> HomogeneousPoint:
     """Find the point of a line, or of a piece, at a break, reduced."""
-    (dx, dy, c, *_), (x, w) = line, at
+    (dx, dy, c), (x, w) = line[:3], at
     if not dx:
         raise ChainError("the envelope has a gap: its graphs do not overlap in x")
     x, y, w = x * dx, dy * x + c * w, dx * w
@@ -177,18 +173,15 @@ def find_point(line: tuple[int, int, int, *tuple[object, ...]], at: Break) -> Ho
 
 
 def take_corners(vertices: Iterable[V]) -> list[V]:
-    """Drop repeated vertices, and vertices between collinear neighbours."""
+    """Drop repeated vertices, and vertices between collinear neighbors."""
     kept: list[V] = []
     for vertex, _ in groupby(vertices):
-        if len(kept) > 1 and _are_collinear(kept[-2], kept[-1], vertex):
-            kept.pop()
+        if len(kept) > 1:
+            (px, py, pw), (qx, qy, qw), (rx, ry, rw) = *kept[-2:], vertex
+            if px * (qy * rw - ry * qw) + py * (qw * rx - rw * qx) == pw * (rx * qy - qx * ry):
+                kept.pop()
         kept.append(vertex)
     return kept
-
-
-def _are_collinear(p: V, q: V, r: V) -> bool:
-    (px, py, pw), (qx, qy, qw), (rx, ry, rw) = p, q, r
-    return px * (qy * rw - ry * qw) + py * (qw * rx - rw * qx) + pw * (qx * ry - rx * qy) == 0
 
 
 class ConvexPart(NamedTuple):
@@ -196,7 +189,7 @@ class ConvexPart(NamedTuple):
 
     If an edge of G slid over a reflex vertex of D_b, G would overlap D. So along a part of D_b, the
     relevant edges of G are those with slopes between the slopes of the part, and vice versa. At an
-    end of the chain, and at a vertical edge up to the neighbour, G may leave the part, so all
+    end of the chain, and at a vertical edge up to the neighbor, G may leave the part, so all
     slopes beyond those of the part are relevant as well.
 
     Attributes:
@@ -218,12 +211,8 @@ class ConvexPart(NamedTuple):
 
 
 def partition(generatrix: Chain, directrix: Chain) -> tuple[list[ConvexPart], list[ConvexPart]]:
-    """Partition reversed G_t and D_b into convex parts (step 1 of Trajectory_CM, Trajectory_MM).
-
-    Different slopes of lines with dx <= w differ by at least 1 / w^2. So slopes rounded down to
-    multiples of 1 / w^2 keep their order, and equal ints are equal slopes.
-    """
-    unit = 4 ** max(generatrix.widest, directrix.widest).bit_length()
+    """Partition reversed G_t and D_b into convex parts (step 1 of Trajectory_CM, Trajectory_MM)."""
+    unit = max(generatrix.unit, directrix.unit)
     return find_convex_parts(generatrix, unit, 1), find_convex_parts(directrix, unit, 0)
 
 
@@ -234,22 +223,18 @@ def find_convex_parts(chain: Chain, unit: int, whose: int) -> list[ConvexPart]:
     """
     if known := chain._parts.get((unit, whose)):
         return known
-    slopes: list[int | float] = [-inf, inf]
-    slopes[1:1] = (dy * unit // dx if dx else inf if dy > 0 else -inf for dx, dy, _ in chain.lines)
     edges: list[SlopedEdge] = [
-        (slope, whose, *line) for slope, line in zip(slopes[1:], chain.lines, strict=False)
+        (dy * unit // dx if dx else inf if dy > 0 else -inf, whose, dx, dy, c)
+        for dx, dy, c in chain.lines
     ]
     # Edges k - 1 and k, of slopes[k] and slopes[k + 1], meet in vertex k.
+    slopes = [-inf, *map(itemgetter(0), edges), inf]
     cuts = [k for k, (b, a) in enumerate(pairwise(slopes)) if not -inf < b <= a < inf]
-    chain._parts[unit, whose] = parts = [
-        ConvexPart(
-            chain.vertices,
-            first,
-            edges[first:last],
-            (min(slopes[first : first + 2]),),
-            (max(slopes[last : last + 2]), inf),
-        )
-        for first, last in pairwise(cuts)
-        if chain.lines[first][0]
-    ]
+    parts: list[ConvexPart] = []
+    for first, last in pairwise(cuts):
+        if chain.lines[first][0]:
+            least, greatest = min(slopes[first : first + 2]), max(slopes[last : last + 2])
+            part = chain.vertices, first, edges[first:last], (least,), (greatest, inf)
+            parts.append(ConvexPart(*part))
+    chain._parts[unit, whose] = parts
     return parts

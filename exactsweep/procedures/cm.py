@@ -18,12 +18,11 @@ from functools import reduce
 from itertools import pairwise
 from typing import NamedTuple
 
-from exactsweep.procedures.cc import merge_by_slope, trajectory_cc
+from exactsweep.geometry.frame import HomogeneousPoint
+from exactsweep.procedures.cc import merge_by_slope, subtrajectory
 from exactsweep.procedures.chain import (
     Break,
     Chain,
-    HomogeneousPoint,
-    abscissa,
     find_point,
     partition,
     precedes,
@@ -55,7 +54,7 @@ def trajectory_cm(generatrix: Chain, directrix: Chain) -> Graph:
     # Step 1: partition D_b into convex chains D_1, ..., D_k.
     (convex,), parts = partition(generatrix, directrix)
     # Step 2: compute the subtrajectories T(G_t, D_i) by Trajectory_CC, and their lower envelope.
-    subtrajectories = (merge_by_slope(convex, part) for part in parts)
+    subtrajectories = (subtrajectory(convex, part) for part in parts)
     # Step 3: return the lower envelope.
     return reduce(lower_envelope_cm, subtrajectories)
 
@@ -90,13 +89,12 @@ def sweep_inner_cm(generatrix: Chain, directrix: Chain, trajectory: Graph | None
         # From the first vertex of G_t in contact on the left to the last one on the right.
         of_g = reversed(generatrix.vertices[start[2] : end[2] + 1])
         placed = [(x * gw - gx * w, y * gw - gy * w, w * gw) for gx, gy, gw in of_g]
-        bottoms.append(
-            [
-                p
-                for p in placed
-                if not precedes(abscissa(p), left) and not precedes(right, abscissa(p))
-            ]
-        )
+        # Only the vertices at both ends can lie beyond the contacts.
+        if precedes(placed[0], left):
+            del placed[0]
+        if precedes(right, placed[-1]):
+            del placed[-1]
+        bottoms.append(placed)
         undercuts.append(Untouched(before, left, after, right))
     # Steps 1 and 4: return a copy of D_b with the top chains of the undercuts replaced.
     return close(directrix, undercuts, bottoms)
@@ -112,7 +110,7 @@ def sweep_outer_cm(generatrix: Chain, bottom: Chain, directrix: Chain) -> Graph:
     >>> list(sweep_outer_cm(lid, bar, Chain.of([(0, 0), (2, 2), (4, 0)])))
     [(-1, 0), (1, 0), (2, 1), (3, 0), (5, 0)]
     """
-    return trajectory_cm(trajectory_cc(generatrix, bottom).chain(), directrix)
+    return trajectory_cm(merge_by_slope(generatrix, bottom), directrix)
 
 
 def find_touched(
@@ -123,8 +121,11 @@ def find_touched(
     (x, w), (u, v) = start, end
     (gx, _, gw), (hx, _, hw) = generatrix.vertices[j_end], generatrix.vertices[j]
     first, last = (x * gw - gx * w, w * gw), (u * hw - hx * v, v * hw)
-    left, right = abscissa(directrix.vertices[i]), abscissa(directrix.vertices[i_end])
-    return left if precedes(first, left) else first, right if precedes(right, last) else last
+    (left, _, left_w), (right, _, right_w) = directrix.vertices[i], directrix.vertices[i_end]
+    return (
+        (left, left_w) if precedes(first, (left, left_w)) else first,
+        (right, right_w) if precedes((right, right_w), last) else last,
+    )
 
 
 def close(

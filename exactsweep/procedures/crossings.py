@@ -18,8 +18,9 @@ from collections.abc import Sequence
 from math import gcd
 from typing import NamedTuple
 
+from exactsweep.geometry.frame import HomogeneousPoint
 from exactsweep.geometry.near import find_near
-from exactsweep.procedures.chain import HomogeneousPoint, Line
+from exactsweep.procedures.chain import Line
 from exactsweep.procedures.segments import BOTH, ContactSegment, Sides
 
 OneSidedPiece = tuple[HomogeneousPoint, HomogeneousPoint, int, int]

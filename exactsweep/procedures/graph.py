@@ -16,8 +16,9 @@ from bisect import bisect_left
 from collections.abc import Iterator, Sequence
 from itertools import pairwise
 
+from exactsweep.geometry.frame import HomogeneousPoint
 from exactsweep.numbers.number import Vertex
-from exactsweep.procedures.chain import Break, Chain, HomogeneousPoint, find_point, precedes
+from exactsweep.procedures.chain import Break, Chain, find_point, precedes
 
 VertexContact = tuple[HomogeneousPoint, int, int]
 """(position, i, j): at this position of G vertex i of D_b meets vertex j of reversed G_t (VV)."""
@@ -182,16 +183,16 @@ def lower_envelope_mm(graphs: Sequence[Graph]) -> Graph:
 # The merge of P and Q, where P begins first, walks along both in sync. Their breaks cut the common
 # x-range into intervals over which both are lines. Before each round,
 #
-#     (1)  the envelope is complete left of x; its last piece ends at its last break, x.
+#     (1)  the envelope is complete left of x; `merged` are its pieces, `starts` their left ends.
 #
 # Let [x, end] be the next interval, and s and e the height of P above Q at x and at end.
 #
 #     (2)  s < 0, or s = 0 and e <= 0: P is lower right of x; otherwise Q is. On one line, s = e =
 #          0, and either may be chosen.
 #     (3)  s and e have opposite signs: the lines cross in between, and the other one takes over.
-#     (4)  The last piece continues if it is the lower one again.
 #
-# The envelope is P left of the common x-range, and the graph that continues right of it.
+# A piece that is the lower one again continues. The envelope is P left of the common x-range, and
+# the graph that continues right of it.
 
 
 def merge(first: Graph, second: Graph) -> Graph:
@@ -203,7 +204,7 @@ def merge(first: Graph, second: Graph) -> Graph:
     x, w = start = other_breaks[0]
     i, j = find_piece(first, start), 0
     cut = i + precedes(breaks[i], start)
-    merged_breaks, merged = [*breaks[:cut], start], [*pieces, GAP][:cut]
+    starts, merged = breaks[:cut], [*pieces, GAP][:cut]
     while i < len(pieces) and j < len(other_pieces):
         lower, upper = pieces[i], other_pieces[j]
         (end, end_w), (other_end, other_w) = breaks[i + 1], other_breaks[j + 1]
@@ -216,17 +217,15 @@ def merge(first: Graph, second: Graph) -> Graph:
         s, e = a * x + b * w, a * end + b * end_w
         if s > 0 or s == 0 < e:  # (2)
             lower, upper = upper, lower
-        if merged and merged[-1] is lower:  # (4)
-            merged_breaks.pop()
-        else:
+        if not merged or merged[-1] is not lower:
             merged.append(lower)
+            starts.append((x, w))
         if s < 0 < e or e < 0 < s:  # (3)
-            merged_breaks.append(find_crossing(a, b))
             merged.append(upper)
+            starts.append(find_crossing(a, b))
         x, w = end, end_w
-        merged_breaks.append((x, w))
     rest, rest_breaks = pieces[i:] or other_pieces[j:], breaks[i + 1 :] or other_breaks[j + 1 :]
     if rest and rest[0] is merged[-1]:
         merged.pop()
-        merged_breaks.pop()
-    return Graph(merged_breaks + rest_breaks, merged + rest)
+        x, w = starts.pop()
+    return Graph([*starts, (x, w), *rest_breaks], merged + rest)

@@ -22,8 +22,6 @@ from functools import reduce
 from itertools import pairwise
 
 from exactsweep.numbers.number import ratio
-
-# To disable pruning: from exactsweep.procedures.cc import subtrajectories
 from exactsweep.procedures.ceiling import subtrajectories
 from exactsweep.procedures.chain import Chain, partition, precedes
 from exactsweep.procedures.cm import Untouched, close, find_touched
@@ -52,7 +50,8 @@ def trajectory_mm(generatrix: Chain, directrix: Chain, ranges: Ranges | None = N
     """
     # Step 1: partition G_t into convex chains G_1, ..., G_l (and D_b for Trajectory_CM).
     generatrix_parts, directrix_parts = partition(generatrix, directrix)
-    # Step 2: compute the subtrajectories T(G_i, D_b) for all i by Trajectory_CM.
+    # Step 2: compute the subtrajectories T(G_i, D_b) for all i by Trajectory_CM. To disable
+    # pruning, call cc.subtrajectories(generatrix_parts, directrix_parts).
     rows = subtrajectories(generatrix_parts, directrix_parts, ranges)
     envelopes = [reduce(lower_envelope_cm, row) for row in rows if row]
     # Steps 3 and 4: compute and return their lower envelope.

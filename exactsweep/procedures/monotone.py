@@ -17,14 +17,13 @@ from exactsweep.geometry.direction import X_AXIS, Vector
 from exactsweep.geometry.frame import Frame, Kind
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.geometry.reading import Lattice
-from exactsweep.numbers.number import Fit, Point, Vertex
+from exactsweep.numbers.number import Fit, Point
 from exactsweep.procedures.cc import sweep_inner_cc, sweep_outer_cc, trajectory_cc
 from exactsweep.procedures.chain import Chain, inverse, split
 from exactsweep.procedures.cm import sweep_inner_cm, sweep_outer_cm, trajectory_cm
 from exactsweep.procedures.exact_fit import find_exact_fits
 from exactsweep.procedures.graph import Graph
 from exactsweep.procedures.mm import sweep_inner_mm, sweep_outer_mm, trajectory_mm
-from exactsweep.procedures.undercuts import UndercutChains, find_undercuts
 
 
 class LowerMM:
@@ -45,14 +44,12 @@ class LowerMM:
         """T(G_t, D_b)."""
         return self.trajectory.chain()
 
-    @cached_property
-    def inner(self) -> Chain:
-        """The inner boundary (Definition 2.1)."""
+    def sweep_inner(self) -> Chain:
+        """Compute the inner boundary (Definition 2.1)."""
         return sweep_inner_mm(self.generatrix, self.directrix, self.trajectory, self.path)
 
-    @cached_property
-    def outer(self) -> Chain:
-        """The outer boundary (Definition 2.1)."""
+    def sweep_outer(self) -> Chain:
+        """Compute the outer boundary (Definition 2.1)."""
         return sweep_outer_mm(self.bottom, self.path).chain()
 
 
@@ -66,40 +63,32 @@ class LowerCM(LowerMM):
         """T(G_t, D_b) with its events."""
         return trajectory_cm(self.generatrix, self.directrix)
 
-    @cached_property
-    def inner(self) -> Chain:
-        """The inner boundary (Definition 2.1)."""
+    def sweep_inner(self) -> Chain:
+        """Compute the inner boundary (Definition 2.1)."""
         return sweep_inner_cm(self.generatrix, self.directrix, self.trajectory)
 
-    @cached_property
-    def outer(self) -> Chain:
-        """The outer boundary (Definition 2.1)."""
+    def sweep_outer(self) -> Chain:
+        """Compute the outer boundary (Definition 2.1)."""
         return sweep_outer_cm(self.generatrix, self.bottom, self.directrix).chain()
 
 
-class LowerCC(LowerMM):
+class LowerCC(LowerCM):
     """The lower sweep of a convex generatrix and a convex directrix (Section 3)."""
 
-    kind = "CC"
+    kind: ClassVar[Kind] = "CC"
 
     @cached_property
-    def trajectory(self) -> Graph:
-        """T(G_t, D_b) with its events."""
+    def path(self) -> Chain:
+        """T(G_t, D_b)."""
         return trajectory_cc(self.generatrix, self.directrix)
 
-    @cached_property
-    def inner(self) -> Chain:
-        """The inner boundary (Definition 2.1)."""
+    def sweep_inner(self) -> Chain:
+        """Compute the inner boundary (Definition 2.1)."""
         return sweep_inner_cc(self.generatrix, self.directrix)
 
-    @cached_property
-    def outer(self) -> Chain:
-        """The outer boundary (Definition 2.1)."""
-        return sweep_outer_cc(self.generatrix, self.bottom, self.directrix).chain()
-
-
-_TURN_BACK: tuple[Callable[[Sequence[Vertex]], list[Vertex]], ...] = (list, inverse)
-"""Functions that map points of the lower and of the upper sweep back to the frame."""
+    def sweep_outer(self) -> Chain:
+        """Compute the outer boundary (Definition 2.1)."""
+        return sweep_outer_cc(self.generatrix, self.bottom, self.directrix)
 
 
 @lru_cache(512)
@@ -109,7 +98,7 @@ def split_polygon(lattice: Lattice, frame: Frame) -> tuple[Chain, Chain]:
     Chains are cached, because nesting sweeps each part around many others.
     """
     bottom, top = split(frame.enter(*lattice))
-    return Chain.of(bottom), Chain.of(inverse(top))
+    return Chain.trust(bottom), Chain.trust(inverse(top))
 
 
 class MonotoneSolution:
@@ -130,16 +119,6 @@ class MonotoneSolution:
         self.kind = self._class.kind
 
     @cached_property
-    def generatrix(self) -> list[list[Vertex]]:
-        """The ring of G in the frame."""
-        return [self.frame.enter(*self._pair[0].lattice())]
-
-    @cached_property
-    def directrix(self) -> list[list[Vertex]]:
-        """The ring of D in the frame."""
-        return [self.frame.enter(*self._pair[1].lattice())]
-
-    @cached_property
     def halves(self) -> tuple[LowerMM, LowerMM]:
         """The lower sweep, and the upper one after a half turn."""
         (g_bottom, g_top), (d_bottom, d_top) = (
@@ -147,16 +126,13 @@ class MonotoneSolution:
         )
         return self._class(g_top, g_bottom, d_bottom), self._class(g_bottom, g_top, d_top)
 
-    def _join(self, boundary: Callable[[LowerMM], Chain]) -> list[Vertex]:
-        lower, upper = (boundary(half).points for half in self.halves)
-        upper = inverse(upper)
-        # At each end the two chains meet at a point, or a vertical edge joins them.
-        return lower + upper[upper[0] == lower[-1] : len(upper) - (upper[-1] == lower[0])]
-
     def _loop(self, boundary: Callable[[LowerMM], Chain]) -> list[Point]:
-        points = self.frame.leave(self._join(boundary))
-        first = 0 if self.frame.direction == X_AXIS else points.index(min(points))
-        return points[first:] + points[:first]
+        lower, upper = map(boundary, self.halves)
+        loop, back = self.frame.leave(lower.vertices), self.frame.half_turn().leave(upper.vertices)
+        # At each end the two chains meet at a point, or a vertical edge joins them.
+        loop += back[back[0] == loop[-1] : len(back) - (back[-1] == loop[0])]
+        first = 0 if self.frame.direction == X_AXIS else loop.index(min(loop))
+        return loop[first:] + loop[:first]
 
     @cached_property
     def trajectory(self) -> list[Point]:
@@ -166,24 +142,18 @@ class MonotoneSolution:
     @cached_property
     def inner(self) -> list[Point]:
         """The inner loop: D with its undercuts closed."""
-        return self._loop(lambda half: half.inner)
+        return self._loop(lambda half: half.sweep_inner())
 
     @cached_property
     def outer(self) -> list[Point]:
         """The outer loop."""
-        return self._loop(lambda half: half.outer)
+        return self._loop(lambda half: half.sweep_outer())
 
     @cached_property
     def fits(self) -> list[Fit]:
         """The exact fits."""
-        found: list[Fit] = []
-        for half, turn_back in zip(self.halves, _TURN_BACK, strict=True):
-            for fit in find_exact_fits(half.generatrix, half.directrix, half.path):
-                hanging, inside = self.frame.leave(turn_back(fit))
-                found.append((hanging, inside))
-        return sorted(found)
-
-    @cached_property
-    def undercuts(self) -> list[UndercutChains]:
-        """The regions between D and the inner loop, in order along the loop, in the frame."""
-        return find_undercuts(self._join(lambda half: half.inner), self.directrix[0])
+        return sorted(
+            (frame.leave_point(hanging), frame.leave_point(inside))
+            for half, frame in zip(self.halves, (self.frame, self.frame.half_turn()), strict=True)
+            for hanging, inside in find_exact_fits(half.generatrix, half.directrix, half.path)
+        )

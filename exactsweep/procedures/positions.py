@@ -25,9 +25,10 @@ from typing import NamedTuple
 
 from exactsweep.geometry.canonical import find_doubled_area
 from exactsweep.geometry.edges import EdgeIndex, Rings
+from exactsweep.geometry.frame import HomogeneousPoint, to_homogeneous
 from exactsweep.geometry.overlap import Relation, find_outside, relate
 from exactsweep.numbers.number import Fit, Point, Rational, Vertex
-from exactsweep.procedures.chain import HomogeneousPoint, inverse, scale_to_ints
+from exactsweep.procedures.chain import inverse
 from exactsweep.procedures.cover import leave_out_covered
 from exactsweep.procedures.crossings import Pieces, cut
 from exactsweep.procedures.neighbours import leave_out_overlapped
@@ -75,7 +76,7 @@ def find_sum(stationary: Rings, moving: Rings, scale: int = 1) -> FreeBoundary:
     """
     segments = find_contact_segments(stationary, moving, leave_out_overlapped)
     (ax, ay), (bx, by) = (min(chain.from_iterable(rings)) for rings in (stationary, moving))
-    least = scale_to_ints(ax + bx, ay + by)
+    least = to_homogeneous(ax + bx, ay + by)
     free = find_free(*_prepare(segments, [stationary], [moving]), scale, least=least)
     assert len(free.around) == 1
     return free

@@ -16,9 +16,9 @@ from functools import cache
 from itertools import chain, groupby
 from typing import NamedTuple
 
+from exactsweep.geometry.frame import HomogeneousPoint
 from exactsweep.geometry.vectors import angle_key
 from exactsweep.numbers.number import Fit, Point, divide
-from exactsweep.procedures.chain import HomogeneousPoint
 from exactsweep.procedures.crossings import OneSidedPiece, Pieces, TwoSidedPiece
 
 PieceRing = Sequence[OneSidedPiece]

@@ -6,7 +6,7 @@ import pytest
 
 from exactsweep import Point, Polygon
 from exactsweep.geometry.direction import Vector
-from exactsweep.geometry.frame import Frame
+from exactsweep.geometry.frame import Frame, to_homogeneous
 from exactsweep.geometry.reading import lcm_within, reduce_lattice, to_lattice
 from exactsweep.numbers.number import ORIGIN, Vertex
 
@@ -26,7 +26,7 @@ def test_entering_and_leaving_a_frame_is_the_identity(direction: Vector, scale: 
     ]
     assert {type(c) for vertex in entered for c in vertex} == {int}
     for shift in (ORIGIN, SHIFT, Point(Fraction(0), HALF), Point(HALF, Fraction(0))):
-        left = frame.leave(entered, shift)
+        left = [frame.leave_point(point, shift) for point in entered]
         assert left == [Point(x + shift.x, y + shift.y) for x, y in TRIANGLE.vertices]
         assert {type(c) for point in left for c in point} == {Fraction}
         assert [frame.enter_point(point, shift) for point in left] == entered
@@ -39,7 +39,8 @@ def test_entering_and_leaving_a_frame_is_the_identity(direction: Vector, scale: 
         scale * (p * (off.y - SHIFT.y) - q * (off.x - SHIFT.x)),
     )
     crossings: list[Vertex] = [(x, y), (5, y), (x, 5), (5, -3)]
-    for (u, v), place in zip(crossings, frame.leave(crossings, ORIGIN), strict=True):
+    left = frame.leave(to_homogeneous(*point) for point in crossings)
+    for (u, v), place in zip(crossings, left, strict=True):
         square = scale * (p * p + q * q)
         assert place == ((p * u - q * v) / Fraction(square), (q * u + p * v) / Fraction(square))
 

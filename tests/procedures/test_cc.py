@@ -19,7 +19,7 @@ from exactsweep.paper.kernel import (
     trajectory_mm,
 )
 from exactsweep.procedures import cc
-from exactsweep.procedures.cc import merge_by_slope
+from exactsweep.procedures.cc import subtrajectory
 from exactsweep.procedures.chain import Chain, inverse, partition, split
 
 Pair = tuple[Polygon, Polygon]
@@ -79,8 +79,8 @@ def test_inner_boundary_is_the_directrix(pair: Pair) -> None:
 def test_merging_is_commutative_and_associative(pair: Pair) -> None:
     one, other = (Chain.of(split(polygon.vertices)[0]) for polygon in pair)
     assert list(cc.trajectory_cc(one, other)) == list(cc.trajectory_cc(other, one))
-    together = list(cc.trajectory_cc(cc.trajectory_cc(one, other).chain(), one))
-    assert together == list(cc.trajectory_cc(one, cc.trajectory_cc(other, one).chain()))
+    together = list(cc.trajectory_cc(cc.trajectory_cc(one, other), one))
+    assert together == list(cc.trajectory_cc(one, cc.trajectory_cc(other, one)))
 
 
 @given(own.pairs("CC"), st.tuples(*[st.booleans()] * 4))
@@ -98,7 +98,7 @@ def test_a_sum_of_parts_has_their_relevant_edges_only(
         greatest_slope = (part.edges[-1][0], inf) if right else part.greatest_slope
         parts.append(part._replace(least_slope=least_slope, greatest_slope=greatest_slope))
     g, d = parts
-    found = list(merge_by_slope(g, d)) if g.faces(d) else []
+    found = list(subtrajectory(g, d)) if g.faces(d) else []
     slopes = [[Fraction(y) / x for x, y in steps(chain)] for chain in (one, other)]
     ends = [s[k] for s in slopes for k in (0, -1)]
     low = max((e for e, c in zip(ends[::2], cut[::2], strict=True) if c), default=None)
@@ -118,7 +118,7 @@ def test_pieces_carry_the_events_of_table_1(pair: Pair) -> None:
     """At both ends of a piece a vertex of D_b meets one of reversed G_t, and one or both move."""
     one, other = (split(polygon.lattice()[1])[0] for polygon in pair)
     (g,), (d,) = partition(Chain.of(one), Chain.of(other))
-    swept = merge_by_slope(g, d)
+    swept = subtrajectory(g, d)
     for dx, dy, c, start, end in swept.pieces:
         for (x, y, w), i, j in (start, end):
             assert (x, y, w) == (*plus(one[j], other[i]), 1)

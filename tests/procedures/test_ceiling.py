@@ -33,7 +33,7 @@ def test_without_it_the_answers_of_the_corpus_are_the_same(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     pruned = [*answer_corpus()]
-    monkeypatch.setattr(mm, "subtrajectories", cc.subtrajectories)
+    monkeypatch.setattr(mm, "subtrajectories", lambda g, d, _: cc.subtrajectories(g, d))
     assert [*answer_corpus()] == pruned
 
 
@@ -53,7 +53,7 @@ def test_the_ceiling_changes_no_boundary(
     chains = draw(Random(seed))
     monkeypatch.setattr(ceiling, "STRIPS", strips)
     pruned = [*trajectory_mm(*chains[::2])], sweep_mm(*chains)
-    monkeypatch.setattr(mm, "subtrajectories", cc.subtrajectories)
+    monkeypatch.setattr(mm, "subtrajectories", lambda g, d, _: cc.subtrajectories(g, d))
     assert ([*trajectory_mm(*chains[::2])], sweep_mm(*chains)) == pruned
 
 
@@ -100,13 +100,13 @@ def test_most_sums_are_never_computed(
 ) -> None:
     """At most the given number of 480 pairs, and of several thousand for both loops."""
     computed: list[Any] = []
-    right = cc.merge_by_slope
+    right = cc.subtrajectory
 
     def count(*parts: Any) -> Any:
         computed.append(parts)
         return right(*parts)
 
-    monkeypatch.setattr(cc, "merge_by_slope", count)
+    monkeypatch.setattr(cc, "subtrajectory", count)
     trajectory_mm(top[::-1], bottom)
     assert len(computed) <= most[0]
     computed.clear()

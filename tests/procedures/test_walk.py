@@ -9,10 +9,9 @@ from hypothesis import strategies as st
 from exactsweep import Polygon
 from exactsweep.geometry.direction import find_monotone_directions
 from exactsweep.geometry.edges import Rings
-from exactsweep.geometry.frame import find_shared_direction
+from exactsweep.geometry.frame import HomogeneousPoint, find_shared_direction
 from exactsweep.numbers.number import Point
 from exactsweep.procedures import crossings, walk
-from exactsweep.procedures.chain import HomogeneousPoint
 from exactsweep.procedures.crossings import OneSidedPiece, Pieces
 from exactsweep.procedures.positions import reflect
 from exactsweep.procedures.segments import find_contact_segments

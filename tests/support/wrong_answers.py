@@ -6,7 +6,6 @@ from typing import Any
 
 from sabotage import Procedure, sabotage
 
-from exactsweep.paper.kernel import to_graph
 from exactsweep.procedures import cc, ceiling, chain, cm, graph, mm
 from exactsweep.procedures.chain import Chain
 from exactsweep.procedures.graph import Graph
@@ -18,7 +17,7 @@ def lay_end_to_end(right: Procedure) -> Procedure:
         laid, path = list(directrix), list(generatrix)
         (x, y), (dx, dy) = laid[-1], path[0]
         moved = [(a + dx, b + dy) for a, b in laid]
-        return to_graph(moved + [(x + a, y + b) for a, b in path[1:]])
+        return Chain.of(moved + [(x + a, y + b) for a, b in path[1:]])
 
     return trajectory_cc
 
@@ -159,8 +158,8 @@ def leave_in_two(right: Procedure) -> Procedure:
             halves = [(a, b) for a, b in steps if (p[0] + a, p[1] + b) != q and a < q[0] - p[0]]
             for a, b in halves:
                 if a * (q[1] - p[1]) == b * (q[0] - p[0]):
-                    return to_graph([*found[: k + 1], (p[0] + a, p[1] + b), *found[k + 1 :]])
-        return to_graph(found)
+                    return Chain.of([*found[: k + 1], (p[0] + a, p[1] + b), *found[k + 1 :]])
+        return Chain.of(found)
 
     return trajectory_cc
 

@@ -95,7 +95,9 @@ def boundaries_are_bottom_chains(pair: SweepPair) -> Iterator[str]:
     """The boundaries of a lower sweep are the bottom chains of both loops by the definition."""
     g, d = map(Polygon, pair)
     half, _ = MonotoneSolution(g, d, X_AXIS).halves
-    yield from functions.compare_boundaries(pair, inner=half.inner, outer=half.outer)
+    yield from functions.compare_boundaries(
+        pair, inner=half.sweep_inner(), outer=half.sweep_outer()
+    )
 
 
 def halves_are_alike(pair: SweepPair) -> Iterator[str]:
