@@ -1,8 +1,8 @@
 // No-fit polygons and Minkowski sums of any shapes with holes, in doubles, for small cases.
 // Put your own code in place of no_fit; or of minkowski_sum, if it computes a + b.
 //
-// JSON is read by nlohmann/json, one header: apt install nlohmann-json3-dev, or brew install
-// nlohmann-json, or put json.hpp of its releases into a folder nlohmann beside this file.
+// This program reads JSON with nlohmann/json, a single header: apt install nlohmann-json3-dev, or
+// brew install nlohmann-json, or copy json.hpp into a folder nlohmann next to this file.
 // g++ -std=c++17 -O2 -I. -o doubles doubles.cpp
 #include <algorithm>
 #include <cmath>
@@ -21,7 +21,7 @@ using Ring = vector<Point>;
 using Shape = vector<Ring>;  // A polygon: its exterior, then its holes, in either orientation.
 using Line = pair<Point, Point>;
 
-const size_t MOST = 2500;  // Pairs of edges; the sum takes time proportional to their square.
+const size_t MOST = 2500;  // Maximum number of pairs of edges; the time grows with its square.
 
 Shape minkowski_sum(Shape a, Shape b);
 
@@ -42,7 +42,7 @@ Shape no_fit(const Shape& d, const Shape& g, const Point& reference) {
   return translate(minkowski_sum(d, scale(g, -1)), reference.first, reference.second);
 }
 
-// The greatest absolute value of a coordinate.
+// Maximum absolute value of a coordinate.
 double find_size(const Shape& shape) {
   double size = 0;
   for (const Ring& ring : shape)
@@ -57,7 +57,7 @@ double turn(const Point& p, const Point& q, const Point& r) {
   return (q.first - p.first) * (r.second - p.second) - (q.second - p.second) * (r.first - p.first);
 }
 
-// Rings with the inside on the left, without repeated vertices.
+// Orient rings with the interior on the left; drop repeated vertices.
 Shape orient(const Shape& shape) {
   Shape found;
   for (const Ring& given : shape) {
@@ -72,7 +72,7 @@ Shape orient(const Shape& shape) {
   return found;
 }
 
-// Each edge at the corners of the other shape whose edges enclose its direction.
+// Translate each edge to the corners of the other shape whose edges enclose its direction.
 void place_edges(const Shape& edges, const Shape& corners, vector<Line>& lines) {
   for (const Ring& ring : corners)
     for (size_t k = 0; k < ring.size(); k++) {
@@ -138,7 +138,7 @@ bool is_inside(const Point& place, const Shape& a, Shape b) {
   return holds(a, b[0][0]) || holds(b, a[0][0]);
 }
 
-// Pieces joined to rings; at a branch, the rightmost piece is next.
+// Join pieces to rings; at a branch, take the rightmost piece.
 Shape join(set<Line> pieces) {
   Shape rings;
   while (!pieces.empty()) {

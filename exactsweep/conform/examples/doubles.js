@@ -5,7 +5,7 @@
 "use strict";
 const readline = require("node:readline");
 
-const MOST = 2500; // Pairs of edges; the sum takes time proportional to their square.
+const MOST = 2500; // Maximum number of pairs of edges; the time grows with its square.
 
 // The rings around the positions of the reference point at which g overlaps d.
 function noFit(d, g, [x, y]) {
@@ -67,7 +67,7 @@ const sides = (ring) => ring.map((p, k) => [ring.at(k - 1), p]);
 // Positive if r is on the left of pq.
 const turn = (p, q, r) => (q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0]);
 
-// Rings with the inside on the left, without repeated vertices.
+// Orient rings with the interior on the left; drop repeated vertices.
 function orient(shape) {
   return shape.map((given, k) => {
     const ring = given.filter(([x, y], j) => x !== given.at(j - 1)[0] || y !== given.at(j - 1)[1]);
@@ -76,7 +76,7 @@ function orient(shape) {
   });
 }
 
-// Each edge at the corners of the other shape whose edges enclose its direction.
+// Translate each edge to the corners of the other shape whose edges enclose its direction.
 function placeEdges(edges, corners) {
   const lines = [];
   for (const ring of corners) {
@@ -93,7 +93,7 @@ function placeEdges(edges, corners) {
   return lines;
 }
 
-// Adds the parameters on pq, from 0 to 1, where rs crosses it or ends on it.
+// Add the parameters on pq, from 0 to 1, where rs crosses it or ends on it.
 function findCuts(p, q, [r, s], near, cuts) {
   for (const c of [0, 1]) {
     if (Math.min(r[c], s[c]) > Math.max(p[c], q[c]) + near) return;
@@ -132,7 +132,7 @@ function holds(shape, p) {
   return crossed.length % 2 === 1;
 }
 
-// Pieces joined to rings; at a branch, the rightmost piece is next.
+// Join pieces to rings; at a branch, take the rightmost piece.
 function join(pieces, nodes) {
   const rings = [];
   const angle = (p, q) => Math.atan2(nodes[q][1] - nodes[p][1], nodes[q][0] - nodes[p][0]);
@@ -153,7 +153,7 @@ function join(pieces, nodes) {
   return rings;
 }
 
-// All that a case asks.
+// Answer all questions of a case.
 function answer(given) {
   const readRing = (ring) => ring.map((pair) => pair.map(Number));
   const read = (name) => [given[name], ...(given[`${name}_holes`] ?? [])].map(readRing);
@@ -166,7 +166,7 @@ function answer(given) {
   return Object.fromEntries(given.ask.map((part) => [part, answers[part]()]));
 }
 
-// One write per line, flushed at once, also into a pipe.
+// Write each line at once, even into a pipe.
 const say = (line) => process.stdout.write(JSON.stringify(line) + "\n");
 const questions = ["no_fit", "minkowski_sum"];
 say({ hello: "doubles.js", questions, shapes: "any", numbers: "binary64", reference: "given" });

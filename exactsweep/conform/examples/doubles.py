@@ -18,7 +18,7 @@ HELLO = {
     "reference": "given",
 }
 MOST = 800
-"""Pairs of edges; the sum takes time proportional to their square."""
+"""Maximum number of pairs of edges; the time grows with its square."""
 
 Contour = list[tuple[float, float]]
 Contours = list[Contour]

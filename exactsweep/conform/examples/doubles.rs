@@ -13,7 +13,7 @@ type Ring = Vec<Point>;
 type Shape = Vec<Ring>;
 type Line = (Point, Point);
 
-/// Pairs of edges; the sum takes time proportional to their square.
+/// Maximum number of pairs of edges; the time grows with its square.
 const MOST: usize = 2500;
 
 /// The rings around the positions of the reference point at which g overlaps d.
@@ -106,7 +106,7 @@ fn list_edges(shape: &Shape) -> impl Iterator<Item = Line> + '_ {
     })
 }
 
-/// Rings with the inside on the left, without repeated vertices.
+/// Orient rings with the interior on the left; drop repeated vertices.
 fn orient(shape: &Shape) -> Shape {
     let mut found: Shape = vec![];
     for given in shape {
@@ -124,7 +124,7 @@ fn orient(shape: &Shape) -> Shape {
     found
 }
 
-/// Each edge at the corners of the other shape whose edges enclose its direction.
+/// Translate each edge to the corners of the other shape whose edges enclose its direction.
 fn place_edges(edges: &Shape, corners: &Shape) -> Vec<Line> {
     let mut lines = vec![];
     for ring in corners {
@@ -145,7 +145,7 @@ fn place_edges(edges: &Shape, corners: &Shape) -> Vec<Line> {
     lines
 }
 
-/// Adds the parameters on a line, from 0 to 1, where another one crosses it or ends on it.
+/// Add the parameters on a line, from 0 to 1, where another one crosses it or ends on it.
 fn find_cuts((p, q): Line, (r, s): Line, near: f64, cuts: &mut Vec<f64>) {
     if r.0.min(s.0) > p.0.max(q.0) + near
         || r.0.max(s.0) < p.0.min(q.0) - near
@@ -193,7 +193,7 @@ fn holds(shape: &Shape, p: Point) -> bool {
     list_edges(shape).filter(crosses).count() % 2 == 1
 }
 
-/// Pieces joined to rings; at a branch, the rightmost piece is next.
+/// Join pieces to rings; at a branch, take the rightmost piece.
 fn join(mut pieces: Vec<(usize, usize)>, nodes: &[Point]) -> Shape {
     let angle = |p: usize, q: usize| (nodes[q].1 - nodes[p].1).atan2(nodes[q].0 - nodes[p].0);
     let mut rings = vec![];
@@ -226,7 +226,7 @@ fn read_shape(given: &Value, name: &str) -> Shape {
     std::iter::once(&given[name]).chain(&holes).map(read).collect()
 }
 
-/// All that a case asks.
+/// Answer all questions of a case.
 fn answer(given: &Value) -> Value {
     let (d, g) = (read_shape(given, "directrix"), read_shape(given, "generatrix"));
     let mut said = json!({ "id": given["id"] });
