@@ -35,7 +35,7 @@ def programs(found: Comparison, path: Path) -> None:
     with context(SMALLER):
         figure, panels = _panels(len(families))
         for panel, family in zip(panels, families, strict=False):
-            for name, (colour, marker, dash) in zip(found.versions, cycle(STYLES), strict=False):
+            for name, (color, marker, dash) in zip(found.versions, cycle(STYLES), strict=False):
                 chosen = [(r.m, t) for r, t in measured if (r.program, r.family) == (name, family)]
                 panel.errorbar(
                     [m for m, _ in chosen],
@@ -44,7 +44,7 @@ def programs(found: Comparison, path: Path) -> None:
                         [t.median - t.least for _, t in chosen],
                         [t.greatest - t.median for _, t in chosen],
                     ],
-                    color=colour,
+                    color=color,
                     marker=marker,
                     linestyle=dash,
                     elinewidth=0.6,
@@ -67,10 +67,10 @@ def shapes(measured: Sequence[Grown], path: Path) -> None:
         figure, panels = _panels(2, columns=2)
         figure.set_figheight(4)
         for k, (panel, title) in enumerate(zip(panels, ("seconds", "MB"), strict=True)):
-            for grown, (colour, marker, dash) in zip(measured, cycle(STYLES), strict=False):
+            for grown, (color, marker, dash) in zip(measured, cycle(STYLES), strict=False):
                 label = f"{grown.case.what}: {', '.join(f'{slope:.1f}' for slope in grown.slopes)}"
                 values = (grown.seconds, grown.memory)[k]
-                style = {"color": colour, "marker": marker, "linestyle": dash}
+                style = {"color": color, "marker": marker, "linestyle": dash}
                 panel.plot(grown.sizes, values, label=label, **style)
             panel.set_title(title)
             _axes(panel, sorted({size for grown in measured for size in grown.sizes}))

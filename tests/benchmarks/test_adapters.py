@@ -1,4 +1,4 @@
-"""Other programs: asked rightly, judged, and spoken to as processes."""
+"""Other programs are asked correctly, judged, and run as processes."""
 
 import json
 import shutil
@@ -40,7 +40,7 @@ PACKAGES = SCRIPT.with_name("package.json")
 
 
 def installed(name: str) -> Adapter:
-    """Load the adapter of a program, whose hello the runner reads."""
+    """Load the adapter of a program, or skip the test."""
     try:
         adapter = load(name)
     except MissingError as error:
@@ -59,7 +59,7 @@ def verdicts(name: str, cases: Iterator[Case]) -> set[Verdict]:
 
 
 @pytest.mark.parametrize("name", EXACT)
-def test_an_exact_program_is_exact_but_for_exact_fits(name: str) -> None:
+def test_an_exact_program_is_exact_except_for_exact_fits(name: str) -> None:
     allowed = {Verdict.EXACT, Verdict.EQUIVALENT, Verdict.EQUIVALENT_EXCEPT_FOR_EXACT_FITS}
     families = "convex", "notched", "rounded-crossings", "fractions"
     drawn = (case for family in families for case in generate(family, 3, 3))
@@ -67,7 +67,7 @@ def test_an_exact_program_is_exact_but_for_exact_fits(name: str) -> None:
 
 
 @pytest.mark.parametrize("name", NAMES)
-def test_a_square_around_a_square_is_within_everybody(name: str) -> None:
+def test_every_program_answers_a_square_around_a_square(name: str) -> None:
     square = [(0, 0), (4, 0), (4, 4), (0, 4)]
     case = Case.of("squares", "", square, square[::-1])
     assert verdicts(name, iter([case])) <= {Verdict.EXACT, Verdict.EQUIVALENT}
@@ -75,7 +75,7 @@ def test_a_square_around_a_square_is_within_everybody(name: str) -> None:
 
 @pytest.mark.parametrize("name", ROUNDING)
 def test_a_crossing_at_thirds_is_rounded(name: str) -> None:
-    # Where G stops, between the walls of the notch.
+    # The end position of G, between the walls of the notch.
     notch = [(0, 0), (6, 0), (6, 5), (4, 5), (3, 1), (1, 5), (0, 5)]
     case = Case.of("thirds", "", notch, [(0, 0), (1, 0), (1, 1), (0, 1)])
     assert any(c.denominator > 1 for vertex in case.trajectory.vertices for c in vertex)
@@ -83,13 +83,13 @@ def test_a_crossing_at_thirds_is_rounded(name: str) -> None:
 
 
 @pytest.mark.parametrize("name", SUMS)
-def test_a_sum_needs_no_slits(name: str) -> None:
+def test_slits_of_a_sum_are_optional(name: str) -> None:
     allowed = {Verdict.EXACT, Verdict.EQUIVALENT, Verdict.EQUIVALENT_EXCEPT_FOR_EXACT_FITS}
     assert verdicts(name, iter([find_case("fits-square")])) <= allowed
 
 
-def test_klayout_makes_polygons_as_its_users_do() -> None:
-    # A sum with the collinear vertices of this case, made raw, is wrong.
+def test_klayout_removes_collinear_vertices() -> None:
+    # A sum of raw rings, with the collinear vertices of this case, is wrong.
     assert verdicts("klayout", iter([find_case("sampled-respelled-1")])) == {Verdict.EQUIVALENT}
 
 
@@ -136,7 +136,7 @@ def test_an_adapter_speaks_the_protocol(name: str) -> None:
     assert ("minkowski_sum" in answers[1]) == (hello.numbers == "rational")
 
 
-def test_a_program_answers_before_it_is_asked_again() -> None:
+def test_a_program_answers_before_the_next_question() -> None:
     pytest.importorskip("shapely")
     peer = ProcessPeer(Terms([*COMMAND, "shapely"], seconds=PATIENCE))
     judged = [judge_case(peer, Case.of(f"{k}", "", BOX, BOX)).verdict for k in range(2)]
@@ -166,7 +166,7 @@ def test_missing_programs_are_rejected_by_name(monkeypatch: pytest.MonkeyPatch) 
 
 
 @pytest.mark.parametrize("name", ["shapely", "klayout", "pysfcgal", "cgal-reduced"])
-def test_a_plate_and_a_bin_are_right_for_programs_with_holes(name: str) -> None:
+def test_programs_with_holes_answer_a_plate_and_a_bin(name: str) -> None:
     plate = [(0, 0), (9, 0), (9, 9), (0, 9)]
     hole = [(2, 2), (6, 2), (6, 6), (2, 6)]
     part = [(0, 0), (3, 0), (3, 3), (0, 3)]
@@ -191,7 +191,7 @@ def test_a_program_gets_its_own_questions() -> None:
     assert outcome.reason == "skipped: the program accepts only simple pairs"
 
 
-def test_a_sum_of_boundaries_is_filled_where_the_polygons_fill_it() -> None:
+def test_false_holes_of_a_sum_of_boundaries_are_filled() -> None:
     """A square in the middle of a large one does not touch its boundary."""
     for name in CLIPPERS:
         for case in (
@@ -208,7 +208,7 @@ def test_orbits_become_rings_segments_and_points() -> None:
     assert fits == [(c, c), (a, b)]
 
 
-def test_the_source_of_nesting_programs_is_the_user_s(
+def test_nesting_programs_need_the_user_s_source(
     monkeypatch: pytest.MonkeyPatch, tmp_path: Path
 ) -> None:
     for name in ("svgnest-orbit", "svgnest-clipper", "deepnest-clipper"):
@@ -224,8 +224,8 @@ def test_the_source_of_nesting_programs_is_the_user_s(
 
 
 @pytest.mark.long
-def test_a_nesting_program_is_run_as_it_is(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
-    """A stand-in for the user's source, of the same functions."""
+def test_a_nesting_program_runs_unchanged(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
+    """A stand-in for the user's source with the same functions."""
     if shutil.which("node") is None:
         pytest.skip("node is not installed")
     (tmp_path / "util").mkdir()
@@ -272,8 +272,8 @@ def test_a_nesting_program_is_run_as_it_is(monkeypatch: pytest.MonkeyPatch, tmp_
         orbit.close()
 
 
-def test_a_package_of_npm_is_run_as_it_is(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
-    """A stand-in for a package: its union is the greatest of what is united."""
+def test_an_npm_package_runs_unchanged(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
+    """A stand-in for a package, whose union returns its greatest argument."""
     monkeypatch.delenv("EXACTSWEEP_NPM", raising=False)
     with pytest.raises(
         MissingError, match="polygon-clipping needs node, and the variable EXACTSWEEP_NPM"
@@ -314,10 +314,10 @@ def test_a_package_of_npm_is_run_as_it_is(monkeypatch: pytest.MonkeyPatch, tmp_p
         ("cgal-full", "CGAL 6.0, full", "rational"),
     ],
 )
-def test_a_program_on_the_path_is_asked(
+def test_a_program_on_the_path_answers(
     name: str, title: str, numbers: str, monkeypatch: pytest.MonkeyPatch, tmp_path: Path
 ) -> None:
-    """A stand-in for a compiled program, of one answer."""
+    """A stand-in for a compiled program with a single answer."""
     for program in ("exactsweep-nfporb", "exactsweep-nfporb-rational", "exactsweep-cgal"):
         (tmp_path / program).write_text(
             f"#!{sys.executable}\nimport sys\n"
@@ -351,8 +351,8 @@ def test_versions_of_npm_packages_are_pinned() -> None:
     assert all(version[0].isdigit() for version in pinned.values())
 
 
-def test_programs_are_asked_as_far_as_their_numbers_reach() -> None:
-    # Differences of 32-bit ints stay such ints; doubles hold each int up to 2**53.
+def test_programs_are_asked_within_their_range() -> None:
+    # Differences of 32-bit ints must stay in range; doubles represent each int up to 2**53.
     assert 2 * (klayout_sum.MOST + 1) == 2**31
     assert float(npm.MOST) < float(npm.MOST + 1) == float(npm.MOST + 2)
 
@@ -365,7 +365,7 @@ def test_a_ring_is_prepared_exactly() -> None:
 
 
 def test_the_peers_of_the_test_environment_are_installed() -> None:
-    """So that nothing above is skipped unseen: all but CGAL come with the extra."""
+    """All programs but CGAL come with the extra, so the tests above are not skipped unnoticed."""
     modules = ("shapely", "pyclipper", "clipper2", "klayout", "pysfcgal")
     if not all(map(find_spec, modules)):
         pytest.skip("the extra 'peers' is not installed")

@@ -1,4 +1,4 @@
-"""The benchmarks' families, counting numbers and bounds; on counts alone, which never vary."""
+"""Families, counted numbers and bounds of the benchmarks, tested by counts, which never vary."""
 
 import sys
 from dataclasses import replace
@@ -49,7 +49,7 @@ def test_a_family_is_the_same_on_every_machine() -> None:
 
 
 @pytest.mark.parametrize("sizes", [(2, 4, 6), (4, 4, 6), (4, 6, 8), (6, 8, 10)])
-def test_figure_10_has_its_number_of_outer_edges(sizes: tuple[int, int, int]) -> None:
+def test_figure_10_has_the_stated_number_of_outer_edges(sizes: tuple[int, int, int]) -> None:
     chains = SweepPair(*bumps(*sizes)).chains
     m_b, n_t, n_b = sizes
     lengths = len(chains.directrix) - 1, len(chains.top) - 1, len(chains.bottom) - 1
@@ -65,7 +65,7 @@ def test_figure_10_of_ten_and_four_vertices_is_the_paper_s() -> None:
 
 
 @pytest.mark.long
-def test_outlines_of_parts_are_parts() -> None:
+def test_outlines_come_from_the_corpus() -> None:
     outlines = [Polygon(ring) for _, pair in list_outlines(["parts"]) for ring in pair]
     assert {*map(len, outlines)} >= {7, 38}
     assert {len(outline) for outline in outlines} <= {*range(7, 39)}
@@ -79,7 +79,7 @@ def test_each_state_of_polygons_gives_the_same_trajectory() -> None:
         assert run() == run() == right
 
 
-def test_counted_numbers_stay_counted() -> None:
+def test_results_of_counted_numbers_are_counted() -> None:
     with watch_operations() as tally:
         a, b = Counted(7), Counted(3)
         results = [a + 1, 1 - a, a * 2, 2 * a, a // 2, 9 // b, -a, abs(a), a % b]
@@ -118,7 +118,7 @@ def test_counts_are_the_same_on_every_run() -> None:
         assert first.points == second.points
 
 
-def test_every_bound_is_tried_with_both_sizes_together_and_alone() -> None:
+def test_every_bound_is_tested_for_joint_and_single_growth() -> None:
     for row in (
         "Corollary 3.4",
         "Corollary 4.5",
@@ -138,7 +138,7 @@ def test_operations_and_bytes_stay_within_the_claimed_bound(cost: Cost) -> None:
     assert [growth.failure for growth in cost.measure(Effort(quick=True))] == ["", ""]
 
 
-def test_the_summary_has_a_verdict() -> None:
+def test_the_summary_states_a_verdict() -> None:
     points = tuple(Size(m, m, float(m * m), float(m)) for m in (8, 16, 32))
     good = Growth("operations of f", "ints", "m²", tuple(replace(p, bound=p.count) for p in points))
     beyond = Growth("bytes of f", "ints", "m", points)
@@ -147,7 +147,7 @@ def test_the_summary_has_a_verdict() -> None:
 
 
 @pytest.mark.long
-def test_scaling_says_by_its_exit_code_whether_all_is_within(
+def test_the_exit_code_of_scaling_reports_exceeded_bounds(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     cost = COSTS[0]
@@ -182,7 +182,7 @@ def test_instructions_are_counted_by_their_work() -> None:
     assert [found[name] for name in COUNTED[1:]] == [1, 2, 0, 2, 1]
 
 
-def test_a_comb_has_four_vertices_a_tooth_and_two() -> None:
+def test_a_comb_has_four_vertices_per_tooth_and_two_more() -> None:
     assert len(Polygon(comb(3))) == 14
     assert len(Polygon(comb(250))) == 1002
 
@@ -193,8 +193,8 @@ def test_hard_shapes_of_any_size_have_answers(case: str) -> None:
         CASES[case].ask(size)()
 
 
-def test_a_large_batch_is_as_its_model_says() -> None:
-    """By hand: 100 chunks more take the client a second, so one takes it 10 ms."""
+def test_the_model_predicts_a_large_batch() -> None:
+    """By hand: 100 additional chunks cost the client a second, so one costs 10 ms."""
     costs = [
         BatchCost(1, 1, 0.2, 2.0, 100),
         BatchCost(1001, 101, 1.2, 4.0, 300_300),
@@ -218,7 +218,7 @@ def test_tilings_are_valid_layouts(number: int, vertices: int, gap: bool) -> Non
     assert tile(number, vertices, gap=gap) == layout
 
 
-def test_programs_are_asked_the_same_of_layouts() -> None:
+def test_all_programs_judge_the_same_layouts() -> None:
     layout = tile(4, 8, gap=True)
     first, second, *others = layout.placements
     moved = replace(second, move=Point(first.move.x + 10**8, first.move.y))

@@ -1,4 +1,4 @@
-"""The bench of other programs judges each once, and writes who is exact on what."""
+"""The measurement of other programs judges each one once, and writes a page."""
 
 import re
 import sys
@@ -21,7 +21,7 @@ from exactsweep.conform.run.run import Run
 from exactsweep.corpus import Case
 
 
-def test_the_exactness_of_programs_is_one_page(tmp_path: Path) -> None:
+def test_the_exactness_of_programs_is_written_as_a_page(tmp_path: Path) -> None:
     square = [(0, 0), (8, 0), (8, 8), (0, 8)]
     case = Case.of("squares", "", square, [(0, 0), (1, 0), (1, 1), (0, 1)])
     loop = case.trajectory.vertices
@@ -56,7 +56,7 @@ def test_a_page_lists_the_questions(tmp_path: Path) -> None:
     assert shown.exit_code == 0
     assert folder.is_dir()
     assert "of at most 6 vertices, and 3 of each family of the generator, seed 1" in shown.output
-    # Again, with the folder there.
+    # Again, with an existing folder.
     written = CliRunner().invoke(measure, [*asked, "--page", str(page)])
     assert (written.exit_code, written.output) == (0, "")
     assert f"{page.read_text(encoding='utf-8')}\n" == shown.output

@@ -143,7 +143,7 @@ def test_a_piped_report_is_never_wrapped_and_long_numbers_are_on_request() -> No
 
 
 @pytest.mark.parametrize("width", [30, 50, 80])
-def test_a_terminal_is_not_overrun(width: int) -> None:
+def test_reports_fit_the_terminal(width: int) -> None:
     plain = re.sub("\x1b\\[[0-9;]*m", "", report(EXAMPLE, width))
     assert max(map(len, plain.splitlines())) <= width
     # Lines are broken between vertices only.

@@ -1,4 +1,4 @@
-"""Verdicts: each by hand, and by laws on changed answers."""
+"""Verdicts worked out by hand, and laws on changed answers."""
 
 from collections.abc import Sequence
 from dataclasses import replace
@@ -20,10 +20,10 @@ from exactsweep.corpus import Case, find_case
 
 SQUARE = [(0, 0), (1, 0), (1, 1), (0, 1)]
 BLOCK = [(0, 0), (4, 0), (4, 3), (3, 3), (3, 1), (1, 1), (1, 3), (0, 3)]
-# The slot is two wide: the square goes in. Its trajectory has vertices at integers only.
+# The slot has width two: the square fits. Its trajectory has only integer vertices.
 CASE = Case.of("slot", "", BLOCK, SQUARE)
 FIT = Case.of("fit", "", BLOCK, [(0, 0), (2, 0), (2, 1), (0, 1)])
-# A trajectory that has a vertex at thirds.
+# A trajectory with a vertex at thirds.
 THIRDS = Case.of("thirds", "", [(0, 0), (3, 0), (3, 4), ("2/3", 1), (0, 1)], SQUARE)
 LOOPS = ("trajectory", "inner", "outer")
 FAMILIES = ["convex", "notched", "grid", "rectilinear", "turned", "rounded-crossings"]
@@ -48,7 +48,7 @@ def part(case: Case, loop: object, name: str = "trajectory", **options: Any) -> 
 
 
 def check_witnesses(case: Case, name: str, loop: Loop, found: PartComparison) -> None:
-    """Check the promises of the docstrings about witnesses, by independent means."""
+    """Check the documented properties of witnesses by independent means."""
     assert found.permitted is not None
     assert found.forbidden is not None
     assert (found.permitted > 0) == (found.unsound is not None)
@@ -81,7 +81,7 @@ def check_witnesses(case: Case, name: str, loop: Loop, found: PartComparison) ->
 
 @examples(50)
 @given(drawn_cases(), st.integers(0, 99))
-def test_another_way_to_give_the_set_is_equivalent(case: Case, k: int) -> None:
+def test_other_notations_are_equivalent(case: Case, k: int) -> None:
     result = answer(case)
     for name in LOOPS:
         loop = list(result[name])
@@ -97,7 +97,9 @@ def test_another_way_to_give_the_set_is_equivalent(case: Case, k: int) -> None:
 
 @examples(60)
 @given(drawn_cases(), st.sampled_from(LOOPS), st.data())
-def test_a_changed_loop_is_judged_by_the_sets(case: Case, name: str, data: st.DataObject) -> None:
+def test_changed_loops_are_judged_by_their_regions(
+    case: Case, name: str, data: st.DataObject
+) -> None:
     loop: list[Any] = list(getattr(case, name).vertices)
     k = data.draw(st.integers(0, len(loop) - 1))
     by = st.fractions(-2, 2, max_denominator=3)
@@ -122,7 +124,7 @@ def test_a_changed_loop_is_judged_by_the_sets(case: Case, name: str, data: st.Da
     check_witnesses(case, name, loop, found)
 
 
-def test_a_loop_that_crosses_itself_without_end_is_not_measured() -> None:
+def test_a_loop_with_too_many_crossings_is_not_measured() -> None:
     zigzag = [[x, (x * 7919) % 1009] for x in [*range(400), *range(400, 0, -1)]]
     found = part(CASE, zigzag)
     assert found.verdict is Verdict.MALFORMED

@@ -1,4 +1,4 @@
-"""The command compare, as a user runs it."""
+"""The command `compare`, run in a separate process."""
 
 import json
 from pathlib import Path

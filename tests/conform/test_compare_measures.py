@@ -29,7 +29,7 @@ patient = examples(25)
 
 
 def any_rings() -> st.SearchStrategy[Ring]:
-    """Anything: crossing themselves, running back, with repeated vertices."""
+    """Arbitrary rings: self-crossing, retracing, with repeated vertices."""
     coordinates = st.integers(0, 6).map(Fraction) | st.fractions(0, 6, max_denominator=3)
     return st.lists(st.builds(Point, coordinates, coordinates), min_size=1, max_size=7)
 
@@ -112,7 +112,7 @@ def _area(ring: list[tuple[Fraction, Fraction]]) -> Fraction:
     return abs(sum(terms, Fraction(0))) / 2
 
 
-def test_rings_that_cross_too_often_are_refused(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_rings_with_too_many_crossings_are_rejected(monkeypatch: pytest.MonkeyPatch) -> None:
     comb = [Point(Fraction(x), Fraction(9 * (x % 2))) for x in range(20)]
     turned = [Point(2 * y, x / 2) for x, y in comb]
     cells = list(find_differences([comb], [turned]))
@@ -123,7 +123,7 @@ def test_rings_that_cross_too_often_are_refused(monkeypatch: pytest.MonkeyPatch)
 
 
 @given(st.fractions(max_denominator=50), st.fractions(max_denominator=50))
-def test_the_simplest_number_between_has_the_least_denominator(p: Fraction, q: Fraction) -> None:
+def test_the_simplest_rational_has_the_least_denominator(p: Fraction, q: Fraction) -> None:
     low, high = sorted((p, q))
     found = find_simplest(low, high)
     assert low <= found <= high
@@ -133,9 +133,7 @@ def test_the_simplest_number_between_has_the_least_denominator(p: Fraction, q: F
 
 @patient
 @given(polygons(), polygons())
-def test_the_distance_is_the_greatest_of_a_vertex_from_the_other_loop(
-    one: Ring, other: Ring
-) -> None:
+def test_the_distance_is_a_maximum_over_vertices(one: Ring, other: Ring) -> None:
     found = [
         min(find_distance(p, (ring[k - 1], q)) for k, q in enumerate(ring))
         for points, ring in ((one, other), (other, one))
@@ -145,7 +143,7 @@ def test_the_distance_is_the_greatest_of_a_vertex_from_the_other_loop(
 
 
 def find_distance(p: Point, edge: tuple[Point, Point]) -> Fraction:
-    """The square of the distance of a point from a segment, by its foot."""
+    """Return the squared distance of a point from a segment."""
     a, b = edge
     dx, dy = b.x - a.x, b.y - a.y
     t = ((p.x - a.x) * dx + (p.y - a.y) * dy) / (dx * dx + dy * dy)
@@ -165,7 +163,7 @@ def test_the_distance_is_symmetric_and_zero_for_one_loop(one: Ring, other: Ring)
     [
         (points((0, 0), (4, 0), (4, 4), (0, 4)), "0"),
         (points((1, 0), (5, 0), (5, 4), (1, 4)), "1"),
-        # Half the diagonal of the corner that is missing.
+        # Half the diagonal of the missing corner.
         (points((2, 0), (4, 0), (4, 4), (0, 4), (0, 2)), "2"),
         # A notch of depth 1.
         (points((0, 0), (4, 0), (4, 4), (2, 3), (0, 4)), "1"),
@@ -194,8 +192,8 @@ def test_a_loop_whose_vertices_are_moved_is_close(ring: Ring, data: st.DataObjec
 
 @patient
 @given(polygons(), polygons(), st.fractions(Fraction(1, 9), 9, max_denominator=9))
-def test_close_regions_are_close_at_many_places(one: Ring, other: Ring, bound: Fraction) -> None:
-    """The definition, tested at points of the boundaries and of the trapezoids between."""
+def test_close_regions_are_close_at_sampled_points(one: Ring, other: Ring, bound: Fraction) -> None:
+    """The definition, tested at points of the boundaries and of the trapezoids between them."""
     if not are_close([one], [other], bound):
         return
     for ring, target in ((one, other), (other, one)):
@@ -210,12 +208,12 @@ def test_close_regions_are_close_at_many_places(one: Ring, other: Ring, bound: F
 
 
 def measure(p: Point, ring: Ring) -> Fraction:
-    """The distance of a point from a ring, by the larger of the differences in x and in y."""
+    """Return the distance of a point from a ring in the maximum norm."""
     return min(measure_edge(p, a, b) for a, b in pairwise([*ring, ring[0]]))
 
 
 def measure_edge(p: Point, a: Point, b: Point) -> Fraction:
-    """Convex along an edge, so least at an end, or where two of the differences are equal."""
+    """Convex along an edge, so minimal at an end or where two differences are equal."""
     (u, v), (x, y) = (b.x - a.x, b.y - a.y), (a.x - p.x, a.y - p.y)
     lines = ((u, x), (v, y), (u - v, x - y), (u + v, x + y))
     shares = (-start / step for step, start in lines if step)
@@ -226,16 +224,16 @@ def measure_edge(p: Point, a: Point, b: Point) -> Fraction:
 @pytest.mark.parametrize(
     ("ring", "bound", "found"),
     [
-        # A corner cut by one in x and in y: its middle is a half from either edge.
+        # A corner cut by one in x and in y; its midpoint is at distance 1/2 from both edges.
         (points((1, 0), (4, 0), (4, 4), (0, 4), (0, 1)), "1/2", False),
         (points((1, 0), (4, 0), (4, 4), (0, 4), (0, 1)), "101/100", True),
         # The bound itself is too far.
         (points((-1, 0), (4, 0), (4, 4), (0, 4)), "1", False),
         (points((-1, 0), (4, 0), (4, 4), (0, 4)), "1001/1000", True),
-        # A slot that is narrow and deep, and one that is narrow and shallow.
+        # A narrow deep slot, and a narrow shallow one.
         (points((0, 0), (4, 0), (4, 4), (2, 4), (2, 1), ("19/10", 4), (0, 4)), "1", False),
         (points((0, 0), (4, 0), (4, 4), (2, 4), (2, "7/2"), ("19/10", 4), (0, 4)), "1", True),
-        # The other way round; the same place three times; and twice, which encloses nothing.
+        # The reverse orientation; three repeated points; and two, which enclose nothing.
         (SQUARE[::-1], "1", True),
         (SQUARE * 3, "1", True),
         (SQUARE * 2, "1", False),
@@ -246,7 +244,7 @@ def test_closeness_by_hand(ring: Ring, bound: str, found: bool) -> None:
 
 
 def test_a_long_edge_may_be_off_by_nearly_the_bound() -> None:
-    """Half the bound is less than the width of the difference."""
+    """The difference is wider than half the bound."""
     far = 10**9
     long = points((0, 0), (far, 0), (far, far), (0, far))
     moved = [Point(x + 1, y - 1) for x, y in long]
@@ -258,7 +256,7 @@ def test_a_long_edge_may_be_off_by_nearly_the_bound() -> None:
 
 
 def test_a_long_thin_spike_may_be_off_by_nearly_the_bound() -> None:
-    """Hundreds of short edges' hexagons would be needed if it were halved again and again."""
+    """Repeated halving would need the hexagons of hundreds of short edges."""
     spike = points((0, 1000), (1, 0), (2, 1000))
     moved = points(("-9/10", 1000), ("19/10", "-9/10"), ("29/10", "9991/10"))
     assert are_close([spike], [moved], Fraction(1))
@@ -266,7 +264,7 @@ def test_a_long_thin_spike_may_be_off_by_nearly_the_bound() -> None:
 
 
 def test_a_whisker_of_a_rounded_ring_counts_as_its_boundary() -> None:
-    """Rounding turns the notch into a line that is traced in and out."""
+    """Rounding turns the notch into a line traced in both directions."""
     notched = points((0, 0), (9, 0), (9, 9), (1, 9), (1, 3), (0, 8))
     rounded = points((0, 0), (9, 0), (9, 9), (0, 9), (0, 3), (0, 8))
     for pair in ((notched, rounded), (rounded, notched)):
@@ -274,7 +272,7 @@ def test_a_whisker_of_a_rounded_ring_counts_as_its_boundary() -> None:
 
 
 def test_a_band_along_the_boundary_is_not_the_region() -> None:
-    """All of its boundary is near the other one; its interior is not."""
+    """Its whole boundary is near the other one; its interior is not."""
     e = Fraction(1, 100)
     inner = points((e, e), (4 - e, e), (4 - e, 4 - e), (e, 4 - e))
     assert not are_close([SQUARE], [SQUARE, inner], Fraction(1, 10))

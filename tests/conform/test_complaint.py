@@ -1,4 +1,4 @@
-"""The line that names an error, in the output of runtimes on standard error."""
+"""The line that names the error, in the standard error of various runtimes."""
 
 import pytest
 
@@ -127,7 +127,7 @@ NAMED = {
 
 
 @pytest.mark.parametrize("stderr", NAMED)
-def test_the_error_is_named_wherever_it_stands(stderr: str) -> None:
+def test_the_error_line_is_found(stderr: str) -> None:
     assert (find_error(stderr), find_place(stderr)) == NAMED[stderr]
 
 
@@ -148,12 +148,12 @@ def test_crashes_of_one_program_are_distinguished() -> None:
         ('bad "0.5" at 3', 'bad "1e9" at 4'),
     ],
 )
-def test_values_do_not_tell_faults_apart(one: str, other: str) -> None:
+def test_values_do_not_distinguish_faults(one: str, other: str) -> None:
     is_null = "null" in other
     names = {name_fault(Verdict.MALFORMED, reason) for reason in (one, other)}
     assert len(names) == 1 + is_null
 
 
-def test_an_apostrophe_quotes_nothing() -> None:
+def test_an_apostrophe_is_not_a_quotation_mark() -> None:
     names = {name_fault(Verdict.CRASH, f"can't {word} and won't") for word in ("read", "write")}
     assert len(names) == 2

@@ -70,7 +70,7 @@ def test_the_command_writes_them(tmp_path: Path) -> None:
     assert " exact" in json.loads(Path(badge).read_text())["message"]
     done = run(*ours, *CORRECT)
     assert (done.exit_code, "::error" in done.stdout) == (0, False)
-    # The one report on standard output stays whole.
+    # The report on standard output stays complete.
     done = run(
         "conform", "--filter", "id=worked-s", "--annotations", "--badge", "-", "--", *CORRECT
     )
@@ -128,7 +128,7 @@ def test_the_page_has_the_text_of_each_failure() -> None:
 
 
 def list_steps(recipe: str) -> list[str]:
-    """The commands of a recipe, as a service runs them."""
+    """Return the commands of a recipe as a service runs them."""
     return re.findall(r"^ +- (?:run: )?((?:pip|make|exactsweep) .*)$", recipe, re.M)
 
 

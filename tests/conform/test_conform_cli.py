@@ -1,4 +1,4 @@
-"""`exactsweep conform`, as its users run it."""
+"""`exactsweep conform`, run in a separate process."""
 
 import json
 import re
@@ -29,7 +29,7 @@ def two(tmp_path: Path) -> str:
         pytest.param("vertex-outward", "conservative", 0, marks=pytest.mark.long),
     ],
 )
-def test_conform_and_compare_pass_the_same(
+def test_conform_and_compare_accept_the_same_answers(
     two: str, tmp_path: Path, fault: str, accepted: str | None, code: int
 ) -> None:
     options = () if accepted is None else ("--accept", accepted)
@@ -55,7 +55,7 @@ def test_filters_choose_cases_of_the_corpus_and_of_files(two: str) -> None:
         assert [outcome["id"] for outcome in json.loads(done.stdout)["outcomes"]] == [name]
 
 
-def test_files_of_the_working_directory_do_not_get_in_the_way(
+def test_local_files_do_not_shadow_modules(
     two: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     (tmp_path / "json.py").write_text("raise SystemExit('not that json')")

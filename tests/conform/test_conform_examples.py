@@ -1,4 +1,4 @@
-"""The protocol as the README describes it, and the template programs."""
+"""The protocol in the README, and the template programs."""
 
 import json
 import os
@@ -21,7 +21,7 @@ from exactsweep.conform.run.protocol import read_hello, read_object, write_case_
 from exactsweep.corpus import Case
 
 
-def test_the_protocol_is_as_the_readme_says(tmp_path: Path) -> None:
+def test_the_readme_shows_the_protocol(tmp_path: Path) -> None:
     readme = (ROOT / "exactsweep/conform/PROTOCOL.md").read_text(encoding="utf-8")
     blocks = re.findall(r"^```json\n(.*?)^```$", readme, re.M | re.S)
     hello, line, answers = (block.splitlines() for block in blocks[:3])
@@ -36,7 +36,7 @@ def test_the_protocol_is_as_the_readme_says(tmp_path: Path) -> None:
         assert judge_answer(case, case, answer, said).verdict == verdict
 
 
-def test_the_protocol_shows_what_a_case_asks() -> None:
+def test_the_protocol_shows_the_questions_of_a_case() -> None:
     readme = (ROOT / "exactsweep/conform/PROTOCOL.md").read_text(encoding="utf-8")
     blocks = re.findall(r"^```json\n(.*?)^```$", readme, re.M | re.S)
     hello, line, (text, _) = (block.splitlines() for block in blocks[3:])
@@ -64,7 +64,7 @@ def test_examples_are_listed_shown_and_copied(tmp_path: Path) -> None:
 # In doubles, any shape.
 
 PAIRS = [
-    # A slot, caves, a room, a hole in a hole's place, and coordinates that doubles only round.
+    # A slot, cavities, a chamber, an exactly fitting hole, and coordinates that doubles round.
     *("worked-u-shape", "holes-room", "fits-square"),
     *("jigsaw-triangles-slanted", "touching-edge", "vertical-wall-up-and-down"),
     # Products of coordinates overflow or underflow.
@@ -129,7 +129,7 @@ BUILDS = [
 
 
 @pytest.mark.parametrize("build", BUILDS)
-def test_examples_are_right_in_doubles_and_decline_what_is_large(
+def test_examples_are_correct_and_decline_large_cases(
     build: Callable[[Path], list[str]], tmp_path: Path
 ) -> None:
     program = build(tmp_path)

@@ -16,7 +16,7 @@ from exactsweep.conform.run.process import ProcessPeer, Terms
 from exactsweep.corpus import Case
 
 CASES = {
-    # An undercut, crossings that are no integers, and a reference point off the origin.
+    # An undercut, non-integer crossings, and a reference point off the origin.
     "notch": Case.of("notch", "", DIRECTRIX, GENERATRIX, ("1/2", 1)),
     "slot": Case.of("slot", "", SLOT, SQUARE),
 }
@@ -78,7 +78,7 @@ def test_all_faults_are_tried() -> None:
 
 
 @pytest.mark.parametrize("peer", ["twice"], indirect=True)
-def test_a_second_answer_spoils_the_next_case_and_not_the_one_after(peer: ProcessPeer) -> None:
+def test_a_second_answer_spoils_only_the_next_case(peer: ProcessPeer) -> None:
     first, second, third = (judge_case(peer, CASES[name]) for name in ("notch", "slot", "notch"))
     assert [first.verdict, second.verdict, third.verdict] == ["exact", "malformed", "exact"]
     assert "answers 'notch', which was not sent" in second.reason
@@ -94,7 +94,7 @@ def test_the_end_of_standard_error_is_kept(peer: ProcessPeer) -> None:
 
 
 @pytest.mark.parametrize("peer", ["unsupported"], indirect=True)
-def test_a_polite_refusal_is_quoted(peer: ProcessPeer) -> None:
+def test_an_unsupported_answer_is_quoted(peer: ProcessPeer) -> None:
     assert judge_case(peer, CASES["notch"]).reason == "says: too hard"
 
 
@@ -109,8 +109,8 @@ def outcomes_of(command: list[str], chosen: Iterable[Case]) -> list[Outcome]:
 
 
 @few_or_all
-def test_the_correct_one_is_exact_where_it_is_asked(step: int) -> None:
-    """It speaks the old protocol, so pairs without a shared direction are skipped."""
+def test_the_correct_program_is_exact(step: int) -> None:
+    """It uses the old protocol, so pairs without a shared direction are skipped."""
     chosen = [*CASES.values(), *shipped_cases()[::step]]
     outcomes = outcomes_of(CORRECT, chosen)
     for case, outcome in zip(chosen, outcomes, strict=True):
@@ -121,7 +121,7 @@ def test_the_correct_one_is_exact_where_it_is_asked(step: int) -> None:
 
 
 @few_or_all
-def test_the_correct_one_of_any_shape_is_exact_everywhere(step: int) -> None:
+def test_the_correct_program_of_any_shape_is_exact(step: int) -> None:
     chosen = [*CASES.values(), *shipped_cases()[::step]]
     outcomes = outcomes_of([sys.executable, "-m", "exactsweep.conform.examples.shapes"], chosen)
     assert {outcome.verdict for outcome in outcomes} == {Verdict.EXACT}

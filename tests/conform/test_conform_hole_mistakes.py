@@ -62,8 +62,8 @@ def test_lost_rings_are_counted() -> None:
         assert say(several, "inner_fit", [*exact, island]) == ("all exact rings, and 1 more",)
 
 
-def test_on_symmetric_shapes_exchanged_roles_come_before_another_reference_point() -> None:
-    """Moved by nothing that has a name, or turned: the same for shapes that a half turn keeps."""
+def test_exchanged_roles_precede_other_reference_points() -> None:
+    """Shapes with rotational symmetry, at an offset without a name."""
     d, g = [(0, 0), (9, 0), (9, 4), (0, 4)], [(1, 1), (3, 1), (3, 2), (1, 2)]
     case = Case.of("symmetric", "", d, g, ("1/3", 2))
     (ring,) = list_exact_rings(case, "no_fit")

@@ -1,4 +1,4 @@
-"""The runner survives misbehaving processes, in bounded memory, and leaves none running."""
+"""The runner survives misbehaving processes in bounded memory, and leaves none running."""
 
 import resource
 import sys
@@ -54,7 +54,7 @@ AFTER_BYE = {
 
 @pytest.fixture
 def mark() -> Iterator[str]:
-    """A word for the command line, which no process may have at the end."""
+    """A word for the command line, which no process may have in the end."""
     word = uuid4().hex
     yield word
     eventually(lambda: not processes(word))
@@ -68,7 +68,7 @@ def test_a_program_ends_if_its_start_is_interrupted(
     monkeypatch: pytest.MonkeyPatch, mark: str
 ) -> None:
     def interrupt(*_: object) -> bytes:
-        # It has its command line a little after it is there.
+        # A process gets its command line shortly after it starts.
         eventually(lambda: bool(processes(mark)))
         raise KeyboardInterrupt
 
@@ -83,7 +83,7 @@ BRIEF = ("endless-lines", "deep-json", "long-int", "closes-output", "leaves-chil
 @pytest.mark.parametrize("kind", mostly_long(SURVIVED, BRIEF))
 def test_a_hostile_process_gets_a_verdict_each_time(kind: str, mark: str) -> None:
     verdict, reason = SURVIVED[kind]
-    # The runner waits briefly for a case without an answer, and long for all others.
+    # The runner waits briefly for the case without an answer, and longer for all others.
     peer = ProcessPeer(Terms([*HOSTILE, kind, mark], seconds=0.5 if verdict == "timeout" else 600))
     before = peak()
     for _ in range(2):
@@ -97,11 +97,11 @@ def test_a_hostile_process_gets_a_verdict_each_time(kind: str, mark: str) -> Non
 
 
 @pytest.mark.parametrize("kind", REFUSED)
-def test_a_process_without_a_hello_is_refused(kind: str, mark: str) -> None:
-    with pytest.raises(ProtocolError) as refusal:
+def test_a_process_without_a_hello_is_rejected(kind: str, mark: str) -> None:
+    with pytest.raises(ProtocolError) as error:
         ProcessPeer(Terms([*HOSTILE, kind, mark]), to_start=0.5 if kind == "no-hello" else 600)
-    assert REFUSED[kind] in str(refusal.value)
-    assert "\n" not in str(refusal.value)
+    assert REFUSED[kind] in str(error.value)
+    assert "\n" not in str(error.value)
 
 
 @pytest.mark.parametrize("command", ["no-such-program", "", "/", "\0"])
@@ -129,7 +129,7 @@ def test_a_case_larger_than_a_pipe_does_not_block(mark: str) -> None:
     peer.kill()
 
 
-def test_an_end_without_a_line_is_no_silence() -> None:
+def test_an_exit_is_not_a_timeout() -> None:
     channel = Channel([sys.executable, "-c", "print('one'); print('half', end='')"])
     assert channel.receive(600) == "one"
     with pytest.raises(ClosedError, match="exited with code 0"):
@@ -137,7 +137,7 @@ def test_an_end_without_a_line_is_no_silence() -> None:
     channel.kill()
 
 
-def test_another_hello_after_a_restart_is_no_answer(tmp_path: Path) -> None:
+def test_a_changed_hello_after_a_restart_is_a_crash(tmp_path: Path) -> None:
     program = tmp_path / "fickle.py"
     program.write_text(
         "import json, os, sys\n"

@@ -27,7 +27,7 @@ def journal_of(tmp_path: Path, *options: str, command: list[str] = CORRECT) -> A
     return run("conform", "--cases", path, "--journal", journal, *options, "--", *command)
 
 
-def test_a_journal_is_not_written_over(tmp_path: Path) -> None:
+def test_a_journal_is_not_overwritten(tmp_path: Path) -> None:
     assert journal_of(tmp_path).exit_code == 0
     before = (tmp_path / "journal").read_text()
     again = journal_of(tmp_path)
@@ -39,7 +39,7 @@ def test_a_journal_is_not_written_over(tmp_path: Path) -> None:
 
 
 @pytest.mark.long
-def test_a_journal_has_one_run_at_a_time(tmp_path: Path) -> None:
+def test_a_journal_is_locked_by_one_run(tmp_path: Path) -> None:
     assert journal_of(tmp_path).exit_code == 0
     with (tmp_path / "journal").open("rb") as file:
         assert lock(file)
@@ -49,18 +49,18 @@ def test_a_journal_has_one_run_at_a_time(tmp_path: Path) -> None:
     assert journal_of(tmp_path, "--resume").exit_code == 0
 
 
-def test_a_full_disk_is_refused_once(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    """The rest is still in the buffer, and would fail again when the file is closed."""
-    # An import below the limit would leave a truncated module behind.
+def test_a_full_disk_is_reported_once(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """The rest of the buffer would fail again when the file is closed."""
+    # An import under the limit would leave a truncated module.
     monkeypatch.setattr(sys, "dont_write_bytecode", True)
     soft, hard = resource.getrlimit(resource.RLIMIT_FSIZE)
     resource.setrlimit(resource.RLIMIT_FSIZE, (1024, hard))
     try:
-        with pytest.raises(JournalError, match="journal: File too large") as refused:
+        with pytest.raises(JournalError, match="journal: File too large") as done:
             write_journal(tmp_path / "journal")
     finally:
         resource.setrlimit(resource.RLIMIT_FSIZE, (soft, hard))
-    assert refused.value.__cause__ is None
+    assert done.value.__cause__ is None
 
 
 def write_journal(path: Path) -> None:
@@ -75,7 +75,7 @@ def test_a_line_beyond_the_limit_is_not_read(tmp_path: Path) -> None:
 
 
 @pytest.mark.long
-def test_the_journal_of_another_run_is_refused(tmp_path: Path) -> None:
+def test_the_journal_of_another_run_is_rejected(tmp_path: Path) -> None:
     journal_of(tmp_path)
     other = journal_of(tmp_path, "--resume", command=[*FAULTY, "reversed"])
     assert "is the journal of a different command" in other.stderr
@@ -85,7 +85,7 @@ def test_the_journal_of_another_run_is_refused(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     "text", ["[]\n", "{}\n", "x\n", '{"format": "exactsweep conform"}\n', "one line", "7" * 2**24]
 )
-def test_a_file_that_is_no_journal_is_unchanged(tmp_path: Path, text: str) -> None:
+def test_other_files_are_unchanged(tmp_path: Path, text: str) -> None:
     path = tmp_path / "journal"
     path.write_text(text)
     with pytest.raises(JournalError):
@@ -94,10 +94,10 @@ def test_a_file_that_is_no_journal_is_unchanged(tmp_path: Path, text: str) -> No
 
 
 @pytest.mark.long
-def test_the_command_refuses_a_file_that_is_no_journal(tmp_path: Path) -> None:
+def test_the_command_rejects_other_files(tmp_path: Path) -> None:
     (tmp_path / "journal").write_text("x\n")
-    refused = journal_of(tmp_path, "--resume")
-    assert (refused.exit_code, refused.stdout) == (1, "")
+    done = journal_of(tmp_path, "--resume")
+    assert (done.exit_code, done.stdout) == (1, "")
     assert (tmp_path / "journal").read_text() == "x\n"
 
 

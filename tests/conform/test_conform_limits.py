@@ -1,4 +1,4 @@
-"""Distinct faults, and limits of a run: shares, time and memory."""
+"""Distinct faults, and the limits of a run: shares, time and memory."""
 
 import json
 import sys
@@ -78,7 +78,7 @@ def test_six_crashes_are_distinguished_and_shrunk(tmp_path: Path) -> None:
     )
 
 
-def test_faults_without_end_are_bounded() -> None:
+def test_the_number_of_faults_is_bounded() -> None:
     report = Run(Hello("mine"))
     for k in range(3 * MAX_FAULTS):
         words = "".join(chr(ord("a") + int(digit)) for digit in str(k))
@@ -92,7 +92,7 @@ def test_faults_without_end_are_bounded() -> None:
     )
 
 
-def test_undecided_cases_neither_fail_nor_pass() -> None:
+def test_undecided_cases_do_not_count() -> None:
     report = Run(Hello("mine"))
     report.add(Outcome("a", "CC", (), Verdict.EXACT))
     assert report.passed
@@ -134,7 +134,7 @@ needs_proc = pytest.mark.skipif(
 
 
 @needs_proc
-def test_memory_is_that_of_each_case(tmp_path: Path) -> None:
+def test_memory_is_measured_per_case(tmp_path: Path) -> None:
     peer = hold(tmp_path, None)
     few, many, few_again = (
         judge_case(peer, Case.of(f"hold-{size}", "", SQUARE, SQUARE)).memory or 0
@@ -189,7 +189,7 @@ def test_shares_are_exact() -> None:
     assert report.passed
 
 
-def test_a_family_of_processes_may_be_nested_deeper_than_calls(
+def test_process_trees_may_exceed_the_recursion_limit(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     class Children:

@@ -1,4 +1,4 @@
-"""No faulty program passes, and each mistake is named."""
+"""No faulty program passes, and each mistake is diagnosed."""
 
 from collections.abc import Callable
 from functools import cache
@@ -35,7 +35,7 @@ def find_holed() -> list[Case]:
 @pytest.mark.parametrize(
     "name", mostly_long(MISTAKES, [n for n in [*MISTAKES][2::3] if "256" not in n])
 )
-def test_a_mistake_is_convicted_and_named(name: str) -> None:
+def test_a_mistake_is_detected_and_diagnosed(name: str) -> None:
     chosen = find_cases() if MISTAKES[name].part == "trajectory" else find_holed()
     judged = [*islice(judge_wrong_answers(name, chosen), ENOUGH)]
     assert judged

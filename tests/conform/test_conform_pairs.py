@@ -28,7 +28,7 @@ def write(tmp_path: Path, text: str) -> str:
     return str(path)
 
 
-def test_each_polygon_is_put_around_each(tmp_path: Path) -> None:
+def test_all_pairs_of_polygons_are_cases(tmp_path: Path) -> None:
     ids = [case.id for case in read_pairs(write(tmp_path, SVG), "1/10")]
     assert ids == ["plate/plate", "plate/disc", "disc/plate", "disc/disc"]
     cases = [*read_pairs(write(tmp_path, WKT))]
@@ -36,7 +36,7 @@ def test_each_polygon_is_put_around_each(tmp_path: Path) -> None:
     assert [str(case.directrix) for case in cases[:2]] == ["(0, 0) (3, 0) (0, 3)"] * 2
 
 
-def test_lines_of_pairs_are_as_they_are_given(tmp_path: Path) -> None:
+def test_lines_of_pairs_are_cases(tmp_path: Path) -> None:
     text = "\n" + "\n\n".join(map(json.dumps, LINES))
     first, second = read_pairs(write(tmp_path, text))
     assert (first, second) == (
@@ -64,8 +64,8 @@ def test_own_polygons_may_have_holes(tmp_path: Path) -> None:
         list(read_pairs(write(tmp_path, crossing)))
 
 
-def test_holes_may_be_members_of_their_own(tmp_path: Path) -> None:
-    """These are the keys of the corpus, and of the lines that a program gets."""
+def test_holes_may_have_separate_keys(tmp_path: Path) -> None:
+    """The corpus and the protocol use these keys."""
     case = find_case("holes-room")
     data = case_to_json(case)
     hole = data["directrix_holes"][0]
@@ -83,7 +83,7 @@ def test_holes_may_be_members_of_their_own(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize("name", ["directrix_hole", "expect", "exact_fits"])
-def test_unknown_members_of_a_pair_are_refused_everywhere(tmp_path: Path, name: str) -> None:
+def test_unknown_members_of_a_pair_are_rejected(tmp_path: Path, name: str) -> None:
     path = write(tmp_path, json.dumps({**LINES[0], name: []}))
     for read in (lambda: [*read_pairs(path)], lambda: read_case(path)):
         with pytest.raises(FormatError, match=re.escape(f"$ has '{name}'")):
@@ -122,7 +122,7 @@ def write_file(path: Path, ring: object) -> str:
 
 
 @pytest.mark.long
-def test_own_pairs_convict_and_acquit(tmp_path: Path) -> None:
+def test_the_user_s_pairs_are_judged(tmp_path: Path) -> None:
     path = write(tmp_path, "\n".join(map(json.dumps, LINES)))
     assert run("conform", "--pairs", path, "--", *CORRECT).exit_code == 0
     done = run("conform", "--pairs", path, "--", *FAULTY, "hull")
@@ -167,7 +167,7 @@ def test_invalid_pairs_are_rejected_by_line(tmp_path: Path, text: str, message: 
 
 
 @pytest.mark.parametrize("options", [("--cases", "a", "--pairs", "b"), ("--flatten", "1")])
-def test_options_that_contradict_each_other_are_refused(options: tuple[str, ...]) -> None:
+def test_contradictory_options_are_rejected(options: tuple[str, ...]) -> None:
     assert run("conform", *options, "--", *CONVEX).exit_code == 2
 
 

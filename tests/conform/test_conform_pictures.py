@@ -43,7 +43,7 @@ def test_a_picture_does_not_depend_on_the_scale(scale: Fraction) -> None:
     assert panel.witness is not None
 
 
-def test_a_small_error_is_shown_again_enlarged() -> None:
+def test_a_small_error_is_enlarged() -> None:
     case = Case.of("a", "", SQUARE, SQUARE)
     low = -1 - Fraction(1, 10**20)
     whole, enlarged = draw_panels(outcome_of(case, [(-1, low), (1, -1), (1, 1), (-1, 1)]))
@@ -70,7 +70,7 @@ def test_a_thin_ring_is_not_a_line() -> None:
     assert max(ys) - min(ys) > SIDE / 2
 
 
-def test_a_far_answer_does_not_hide_the_rest() -> None:
+def test_a_distant_answer_does_not_hide_the_rest() -> None:
     case = Case.of("a", "", SQUARE, SQUARE)
     whole, near = draw_panels(outcome_of(case, [(-1, -1), (10**9, -1), (1, 1), (-1, 1)]))
     assert in_sight(near, "exact")
@@ -107,7 +107,7 @@ def test_a_lost_fit_is_shown_as_a_segment() -> None:
 
 
 @pytest.mark.parametrize("number", [0, 2, Fraction(1, 10**500), 10**500, Fraction(7, 3)])
-def test_roots_are_near(number: Fraction) -> None:
+def test_square_roots_are_approximated(number: Fraction) -> None:
     square = Fraction(number)
     assert abs(take_root(square) ** 2 - square) <= square / 2**50
 

@@ -53,7 +53,7 @@ def judge(two: str, text: str) -> tuple[int, list[str]]:
     return done.exit_code, done.stdout.partition("\n\n")[2].splitlines()
 
 
-def test_in_a_pipe_a_case_that_contradicts_itself_spoils_no_other(two: str) -> None:
+def test_a_contradictory_case_in_a_pipe_spoils_no_other(two: str) -> None:
     square, other = TWO[1], Case.of("other", "", SLOT, SLOT)
     wrong = replace(square, id="wrong", trajectory=other.trajectory)
     write_cases(Path(two), (wrong, square))

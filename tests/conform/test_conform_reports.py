@@ -49,7 +49,7 @@ def test_twenty_kinds_of_failures_are_listed_and_others_counted() -> None:
 
 
 @pytest.mark.long
-def test_failures_are_made_smaller_for_the_page_and_the_json(tmp_path: Path) -> None:
+def test_failures_are_shrunk_for_the_page_and_the_json(tmp_path: Path) -> None:
     options = ("--filter", "id=undercuts-", "--accept", "within")
     page, data = tmp_path / "run.html", tmp_path / "run.json"
     command = ("--html", str(page), "--json", str(data), "--", *FAULTY, "undercut-open")

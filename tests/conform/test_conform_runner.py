@@ -49,7 +49,7 @@ def exact(directrix: Any, generatrix: Any, reference: Any) -> dict[str, Any]:
 
 @pytest.mark.parametrize("numbers", ["rational", "integer", "int64", "int32", "binary64"])
 @pytest.mark.parametrize("reference", ["given", "origin", "first"])
-def test_exact_arithmetic_is_exact_in_all_terms(numbers: str, reference: str) -> None:
+def test_exact_arithmetic_is_exact_for_all_hellos(numbers: str, reference: str) -> None:
     chosen = [*cases(prefix="figures"), *cases(prefix="worked"), THIRDS]
     run = conform(exact, chosen, name="exact", loops=LOOPS, numbers=numbers, reference=reference)
     assert run.passed
@@ -59,7 +59,7 @@ def test_exact_arithmetic_is_exact_in_all_terms(numbers: str, reference: str) ->
         assert run.summary.total(Verdict.UNSUPPORTED) == 0
 
 
-def test_a_case_keeps_its_shape_in_all_terms() -> None:
+def test_a_case_keeps_its_shape_for_all_hellos() -> None:
     whole = adapt(THIRDS, Hello("mine", numbers="int32", reference="first"))
     assert all(c.denominator == 1 for point in whole.directrix_ring for c in point)
     assert whole.reference == whole.generatrix_ring[0]
@@ -68,7 +68,7 @@ def test_a_case_keeps_its_shape_in_all_terms() -> None:
         assert getattr(whole, name) == getattr(again, name)
 
 
-def test_numbers_that_do_not_hold_a_case_are_not_asked() -> None:
+def test_unrepresentable_cases_are_skipped() -> None:
     large = Case.of("large", "", [(0, 0), (2**70 + 1, 0), (0, 1)], SQUARE)
     for numbers in ("int32", "int64", "binary64"):
         with pytest.raises(UnsupportedError, match=f"{numbers} cannot represent the case"):
@@ -103,7 +103,7 @@ def test_not_implemented_is_unsupported() -> None:
 
 
 @pytest.mark.parametrize("seconds", [0.5, 1])
-def test_each_answer_has_its_time_and_a_late_one_is_a_timeout(
+def test_each_answer_is_timed_and_a_late_one_is_a_timeout(
     seconds: float, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """Each function takes a second."""
@@ -116,7 +116,7 @@ def test_each_answer_has_its_time_and_a_late_one_is_a_timeout(
     assert [(one.verdict, one.seconds) for one in found] == [(v, 1) for v in (*late, "crash")]
 
 
-def test_two_cases_with_one_id_are_refused() -> None:
+def test_duplicate_ids_are_rejected() -> None:
     with pytest.raises(SelectionError, match="duplicate case id 'case-0'"):
         conform(exact, [FEW[0], FEW[0]], name="mine")
 
@@ -132,7 +132,7 @@ def test_invalid_descriptions_of_a_function_are_rejected(changes: dict[str, Any]
 # The hello.
 
 
-def test_a_hello_is_read_as_it_was_written() -> None:
+def test_a_hello_round_trips() -> None:
     hello = Hello("mine", ("trajectory", "outer"), "int64", "first")
     assert read_hello(json.dumps(hello.to_json())) == hello
 
@@ -142,7 +142,7 @@ def test_a_hello_is_read_as_it_was_written() -> None:
 
 @pytest.mark.parametrize("workers", [1, 3])
 @pytest.mark.long
-def test_all_workers_come_to_the_same(workers: int) -> None:
+def test_all_workers_agree(workers: int) -> None:
     with closing(Judges(Terms(CORRECT), workers)) as judges:
         outcomes = list(judges.judge(FEW))
         judges.finish()
@@ -151,7 +151,7 @@ def test_all_workers_come_to_the_same(workers: int) -> None:
     assert judges.complaints == []
 
 
-def test_cases_are_taken_as_they_are_needed() -> None:
+def test_cases_are_generated_on_demand() -> None:
     taken = []
 
     def endless() -> Any:
@@ -166,7 +166,7 @@ def test_cases_are_taken_as_they_are_needed() -> None:
     assert len(taken) < 10
 
 
-def test_a_case_that_contradicts_itself_ends_the_run() -> None:
+def test_a_contradictory_case_ends_the_run() -> None:
     wrong = replace(FEW[0], trajectory=FEW[1].trajectory, id="wrong")
     run = Run(Hello("mine"))
     with closing(Judges(Terms(CORRECT))) as judges:
@@ -246,7 +246,7 @@ def test_a_killed_run_kills_its_processes(tmp_path: Path) -> None:
     command = [EXACTSWEEP, "conform", "--cases", path, "--timeout", "600", "--", *hostile]
 
     with subprocess.Popen(command, stdout=-1, stderr=-1) as process:
-        # The command itself bears the mark, and what it starts.
+        # The command and its descendants have the mark.
         eventually(lambda: process.poll() is not None or len(processes(mark)) > 1)
         process.kill()
     eventually(lambda: not processes(mark))
@@ -255,7 +255,7 @@ def test_a_killed_run_kills_its_processes(tmp_path: Path) -> None:
 # The records of a run.
 
 
-def test_an_outcome_is_read_as_it_was_written() -> None:
+def test_an_outcome_round_trips() -> None:
     run = conform(lambda d, g, r: {"trajectory": [(0.5, 0), (1, 0), (0, 1)]}, FEW[:1], name="mine")
     (outcome,) = run.show()
     text = json.dumps(outcome.to_json())
@@ -264,7 +264,7 @@ def test_an_outcome_is_read_as_it_was_written() -> None:
     assert outcome.result["trajectory"][0] == [0.5, 0]
 
 
-def test_a_cause_that_comes_first_leaves_the_others_in_order() -> None:
+def test_a_leading_cause_keeps_the_order_of_the_others() -> None:
     part = {"name": "no_fit", "diagnosis": ["a", "b", "c"], "reason": "so: a"}
     other = {"name": "inner", "diagnosis": ["d"], "reason": "so: d"}
     outcome = Outcome("x", "CC", (), Verdict.WRONG, "so: a", "wrong: a", ("a", "b", "c"))
@@ -276,7 +276,7 @@ def test_a_cause_that_comes_first_leaves_the_others_in_order() -> None:
     assert outcome.lead_with("a") is outcome.lead_with("d") is outcome
 
 
-def test_a_cause_explains_all_answers_that_differ_and_two_at_least() -> None:
+def test_a_cause_explains_all_of_several_differing_answers() -> None:
     tally = Tally()
     for words, cause in (("a", None), ("a", "a"), ("b", None)):
         part: dict[str, Any] = {"name": "no_fit", "verdict": "wrong", "diagnosis": [words]}
@@ -285,7 +285,7 @@ def test_a_cause_explains_all_answers_that_differ_and_two_at_least() -> None:
         assert tally.find_cause() == cause
 
 
-def test_faults_are_listed_by_severity_then_by_number() -> None:
+def test_faults_are_sorted_by_severity_and_count() -> None:
     run = Run(Hello("mine"))
     for k, fault in enumerate("abbbcc"):
         verdict = Verdict.CRASH if fault == "a" else Verdict.WRONG
@@ -297,7 +297,7 @@ def test_faults_are_listed_by_severity_then_by_number() -> None:
     ]
 
 
-def test_of_many_failures_the_smallest_are_kept_whole() -> None:
+def test_the_smallest_failures_are_kept_in_full() -> None:
     run = Run(Hello("mine"))
     for size in range(3 * SHOWN, 0, -1):
         case = {"directrix": [0] * size, "generatrix": []}

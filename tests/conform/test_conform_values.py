@@ -65,7 +65,7 @@ def test_rings_of_regions_are_rings() -> None:
     assert [len(make_plain(shape)) for shape in (one, several)] == [2, 3]
 
 
-def test_answers_of_the_package_are_answers() -> None:
+def test_results_of_the_package_are_answers() -> None:
     """A slot exactly as wide as G has one region of positions and a segment: an exact fit."""
     flask = [(0, 0), (3, 0), (3, 3), (2, 3), (2, 5), (1, 5), (1, 3), (0, 3)]
     assert len(make_plain(inner_fit_polygon(flask, SQUARE))) == 1
@@ -88,7 +88,7 @@ def test_an_endless_answer_ends(monkeypatch: pytest.MonkeyPatch) -> None:
     assert judge(endless()).verdict == "malformed"
 
 
-def test_leaving_the_interpreter_is_a_crash_of_one_case() -> None:
+def test_exiting_the_interpreter_is_a_crash_of_one_case() -> None:
     def leave(d: Any, g: Any, r: Any) -> Any:
         raise SystemExit(3)
 
@@ -119,7 +119,7 @@ def test_filters_may_be_repeated() -> None:
         read_filters(["size=1", "size=2"])
 
 
-def test_an_id_that_begins_none_is_refused_among_others() -> None:
+def test_an_unknown_id_prefix_is_rejected() -> None:
     done = run("conform", "--filter", "id=worked", "--filter", "id=wroked", "--", *CONVEX)
     assert done.stderr == "Error: no theme or case 'wroked'; did you mean 'worked'?\n"
 
@@ -127,7 +127,7 @@ def test_an_id_that_begins_none_is_refused_among_others() -> None:
 OURS = ("--filter", "id=worked-s")
 
 
-def test_options_after_the_program_are_refused() -> None:
+def test_options_after_the_program_are_rejected() -> None:
     done = run("conform", *CONVEX, *OURS)
     assert done.exit_code == 2
     assert "--filter after the program would be passed to it." in done.stderr

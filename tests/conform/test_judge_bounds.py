@@ -40,7 +40,7 @@ def judge(loop: object, **options: Any) -> PartComparison:
 
 
 def scatter(amount: float) -> list[tuple[float, float]]:
-    """Many points along the exact trajectory, each a little off."""
+    """Many points along the exact trajectory, each slightly off."""
     random, ring = Random(1), CASE.trajectory.vertices
     each = MANY // len(ring)
     found = []
@@ -73,7 +73,7 @@ def test_a_large_noisy_answer_is_judged(
 
 @pytest.mark.parametrize("k", [-1, 1])
 def test_loops_too_large_to_compare_are_wrong(k: int, monkeypatch: pytest.MonkeyPatch) -> None:
-    """Without a comparison of regions the verdict is wrong, even for a conservative loop."""
+    """Without a comparison of regions, the verdict is "wrong", even for a conservative loop."""
     low, high = CASE.trajectory.bounding_box
     ring = [(low.x - k, low.y - k), (high.x + k, low.y - k), (high.x + k, high.y + k)]
     ring += [(low.x - k, high.y + k)]
@@ -102,7 +102,7 @@ def test_rings_inside_each_other_are_judged_together(monkeypatch: pytest.MonkeyP
 
 @given(st.lists(simple_rings(), min_size=2, max_size=3))
 @examples(40)
-def test_rings_that_overlap_are_those_of_the_definition(rings: list[Any]) -> None:
+def test_overlapping_rings_match_the_definition(rings: list[Any]) -> None:
     polygons = [Polygon(ring) for ring in rings]
     found = find_fault([polygon.vertices for polygon in polygons], "$")
     pairs = {
@@ -116,7 +116,7 @@ def test_rings_that_overlap_are_those_of_the_definition(rings: list[Any]) -> Non
     assert (found in said) if said else found is None
 
 
-def test_of_very_many_edges_neither_distance_nor_area_is_measured(
+def test_very_large_loops_are_not_measured(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     far = [[9, 9], [10, 9], [9, 10]]
@@ -149,16 +149,16 @@ def test_a_full_disk_ends_in_one_line(tmp_path: Path, option: str, size: int) ->
         capture_output=True,
         text=True,
         preexec_fn=lambda: limit_files(size),
-        # A module compiled below the limit would be truncated, and stay so.
+        # A module compiled under the limit would stay truncated.
         env={**os.environ, "PYTHONDONTWRITEBYTECODE": "1"},
     )
     assert done.returncode == 1
-    # The processes that judge need a page of a file to meet at.
+    # The judging processes need a page of a file for synchronization.
     what = path if size == 4096 else "cannot start a process"
     assert done.stderr == f"Error: {what}: File too large\n"
 
 
-def test_a_name_with_a_newline_is_refused() -> None:
+def test_a_name_with_a_newline_is_rejected() -> None:
     hello = {"hello": "a\nb", "loops": ["inner"], "numbers": "rational", "reference": "given"}
     program = f"print({json.dumps(json.dumps(hello))})"
     said = refusal(run("conform", "--", sys.executable, "-c", program))

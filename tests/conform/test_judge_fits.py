@@ -16,7 +16,7 @@ BLOCK = [(0, 0), (4, 0), (4, 3), (3, 3), (3, 1), (1, 1), (1, 3), (0, 3)]
 WIDE = [(0, 0), (2, 0), (2, 1), (0, 1)]
 # One fit, from (1, 3) down to (1, 1).
 FIT = Case.of("fit", "", BLOCK, WIDE)
-# The same, a third to the right.
+# The same, translated by a third to the right.
 THIRDS = Case.of(
     "thirds", "", [(Fraction(x) + Fraction(1, 3), Fraction(y) / 3) for x, y in BLOCK], WIDE
 )
@@ -24,7 +24,7 @@ FALSE = "false exact fits"
 
 
 @pytest.mark.parametrize("to", [float, round])
-def test_fits_that_are_rounded_are_no_worse_than_none(to: Any) -> None:
+def test_rounded_fits_rank_like_missing_ones(to: Any) -> None:
     loop = [[to(x), to(y)] for x, y in THIRDS.trajectory.vertices]
     fits = [[[to(p.x), to(p.y)], [to(q.x), to(q.y)]] for p, q in THIRDS.exact_fits]
     answered, left_out = (
@@ -34,7 +34,7 @@ def test_fits_that_are_rounded_are_no_worse_than_none(to: Any) -> None:
     assert answered.verdict == left_out.verdict == Verdict.WITHIN
 
 
-def test_a_point_unites_with_the_end_of_a_segment_but_segments_do_not_at_an_end() -> None:
+def test_only_points_merge_with_the_end_of_a_segment() -> None:
     low, middle, high, aside = points((0, 0), (2, 1), (4, 2), (4, 3))
     for one, other, united in [
         ((low, middle), (middle, high), False),
@@ -47,8 +47,8 @@ def test_a_point_unites_with_the_end_of_a_segment_but_segments_do_not_at_an_end(
             assert _are_mergeable(a, b) == _are_mergeable(b, a) == united
 
 
-def test_a_short_overlap_on_a_long_segment_has_a_place() -> None:
-    # The loop is around [-2, 4] x [-1, 3]. One segment goes through it, one cuts off a corner.
+def test_a_short_overlap_on_a_long_segment_is_sampled() -> None:
+    # The loop is around [-2, 4] x [-1, 3]. One segment crosses it, one cuts off a corner.
     for ends in ((-3, 0), (20, 0)), ((-16, 12), (34, -13)):
         p, q = points(*ends)
         classes = {at_position(FIT, place).classified for place in _places(FIT, (p, q), NAME)}

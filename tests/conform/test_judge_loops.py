@@ -1,4 +1,4 @@
-"""Loops of answers: all rings count, rounding is granted, mistakes are named."""
+"""Loops of answers: all rings count, rounding is granted, mistakes are diagnosed."""
 
 from collections.abc import Sequence
 from fractions import Fraction
@@ -29,8 +29,8 @@ def judge(case: Case, loop: object, name: str = "trajectory", **options: Any) ->
     return compare(case, {name: loop}, **options).parts[0]
 
 
-def test_many_rings_are_judged_as_few_are() -> None:
-    """A sheet with 64 holes: a limit of the judge is not a fault of the program."""
+def test_many_rings_are_judged_like_few() -> None:
+    """A sheet with 64 holes; a limit of the judge must not count against the program."""
     holes = [
         [(3 * i + 1, 3 * j + 1), (3 * i + 2, 3 * j + 1), (3 * i + 2, 3 * j + 2)]
         for i in range(8)
@@ -51,7 +51,7 @@ def test_invalid_rings_are_named() -> None:
     assert judge(SLOT, [[[0, 0]], 7]).reason == "$.trajectory[1] is 7, not a ring"
 
 
-def test_a_loop_that_is_too_large_is_refused() -> None:
+def test_a_loop_that_is_too_large_is_rejected() -> None:
     with limits(max_mib=0.001):
         found = judge(SLOT, [[k, k * k] for k in range(100)])
     assert found.reason == "$.trajectory has more than 65 vertices (max_mib)"
@@ -61,8 +61,8 @@ def box(width: Any, height: Any) -> list[Any]:
     return [(0, 0), (width, 0), (width, height), (0, height)]
 
 
-def test_a_ring_keyholed_along_an_exact_fit_traces_it() -> None:
-    """In through an entry as wide as G, around the cavity, and out again."""
+def test_a_keyhole_along_an_exact_fit_traces_it() -> None:
+    """The loop enters through a slot as wide as G, follows the cavity, and leaves."""
     room = [(0, 0), (9, 0), (9, 9), (5, 9), (5, 8), (8, 8), (8, 1), (1, 1), (1, 8), (4, 8)]
     case = Case.of("door", "", [*room, (4, 9), (0, 9)], SQUARE)
     ((hanging, inside),) = case.exact_fits
@@ -78,12 +78,12 @@ def test_a_ring_keyholed_along_an_exact_fit_traces_it() -> None:
         assert [(p.verdict, p.kind) for p in found.parts] == [("equivalent", "whisker")] * 2
     doubles = [[float(x), float(y) + 1e-15] for x, y in keyholed]
     assert compare(case, {"no_fit": doubles}).verdict is Verdict.WITHIN
-    # A whisker next to the fit is none.
+    # A whisker next to the fit is not the fit.
     wrong = [*exterior[:k], hanging, (Fraction(3), Fraction(6)), hanging, *exterior[k:]]
     assert compare(case, {"no_fit": [wrong, hole]}).verdict is Verdict.MALFORMED
 
 
-def test_a_segment_as_a_region_that_is_nearly_none_is_within() -> None:
+def test_a_flat_region_near_a_segment_is_within() -> None:
     case = Case.of("exactly as wide", "", box(4, "1/8"), box(1, "1/8"), inner_fit=True)
     assert case.inner_regions == ()
     thin = [[0.0, 0.0], [3.0, 0.0], [3.0, 4e-16], [0.0, 4e-16]]
@@ -93,8 +93,8 @@ def test_a_segment_as_a_region_that_is_nearly_none_is_within() -> None:
     assert compare(case, {"inner_fit": [wide]}, numbers="binary64").verdict == "unsound"
 
 
-def test_a_loop_smaller_than_its_rounding_is_no_fit() -> None:
-    """Far from the origin doubles are integers; the whole loop is near a fit, and is no fit."""
+def test_a_loop_smaller_than_its_rounding_is_not_a_fit() -> None:
+    """Far from the origin, doubles are integers; the whole loop is near a fit, but is none."""
     far = 2**53
     d = [(x + far, y) for x, y in BLOCK]
     case = Case.of("far fit", "", d, [(0, 0), (2, 0), (2, 1), (0, 1)])
@@ -106,7 +106,7 @@ def test_a_loop_smaller_than_its_rounding_is_no_fit() -> None:
 
 
 @pytest.mark.parametrize("flat", [[(x, 0) for x in row] for row in ((0, 4, 2, 3), (3, 2, 4, 0))])
-def test_rounding_may_make_a_loop_flat_either_way(flat: list[tuple[int, int]]) -> None:
+def test_rounding_may_flatten_either_loop(flat: list[tuple[int, int]]) -> None:
     e = Fraction(1, 1000)
     rounded = [Point(Fraction(x), Fraction(y)) for x, y in flat]
     thin = [Point(Fraction(x), e * k) for x, k in ((0, 0), (4, 0), (2, 1), (3, 2))]
@@ -114,10 +114,10 @@ def test_rounding_may_make_a_loop_flat_either_way(flat: list[tuple[int, int]]) -
     assert not are_close([thin], [rounded], e)
 
 
-def test_crossing_combs_are_wrong_whose_boxes_differ_already(
+def test_crossing_combs_with_different_boxes_are_wrong(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
-    """With too many crossings to measure the difference, the judge still finds one."""
+    """The difference has too many crossings to be measured, but the judge detects it."""
     monkeypatch.setattr("exactsweep.conform.judge.region.MAX_WORK", 1000)
     teeth = [(x, 0 if x % 2 else 300) for x in range(61)]
     case = Case.of("comb", "", [*teeth, (60, -9), (0, -9)], [(0, 0), ("1/9", 0), (0, "1/9")])
@@ -128,7 +128,7 @@ def test_crossing_combs_are_wrong_whose_boxes_differ_already(
 # Rounding.
 
 
-def test_a_hull_far_from_the_origin_is_no_rounding() -> None:
+def test_a_hull_far_from_the_origin_is_not_rounding() -> None:
     """2^-32 of the largest coordinate is an eighth of these polygons."""
     far = 2**31
     ring = [(x + far, y + far) for x, y in BLOCK]
@@ -142,8 +142,8 @@ def test_a_hull_far_from_the_origin_is_no_rounding() -> None:
     assert judge(case, thick).verdict is Verdict.WRONG
 
 
-def test_an_integer_of_a_program_that_reads_doubles_is_a_double() -> None:
-    """Two notches at thirds are lost: by less than one each, which integers may be off."""
+def test_integers_of_a_program_with_doubles_are_doubles() -> None:
+    """Two notches at thirds are lost, each by less than the unit granted to integers."""
     notched = [(0, 0), (3, 0), (3, 3), (2, 3), ("5/3", "8/3"), ("4/3", 3), (0, 3)]
     case = Case.of("notched", "", notched, [(0, 0), ("1/9", 0), (0, "1/9")])
     box = [[round(x), round(y)] for x, y in find_hull(case.trajectory.vertices)]
@@ -156,7 +156,9 @@ def sample_small_cases() -> st.SearchStrategy[Case]:
 
 @examples(30)
 @given(st.deferred(sample_small_cases), st.data())
-def test_a_vertex_beyond_what_is_granted_is_not_within(case: Case, data: st.DataObject) -> None:
+def test_a_vertex_beyond_the_granted_rounding_is_not_within(
+    case: Case, data: st.DataObject
+) -> None:
     loop: list[Any] = list(case.trajectory.vertices)
     k = data.draw(st.integers(0, len(loop) - 1))
     granted = judge(case, [[x, y] for x, y in loop[::-1]][:-1], numbers="binary64").granted
@@ -202,13 +204,13 @@ PINCH = Case.of(
 
 
 def split_at(ring: tuple[Point, ...], p: Point) -> list[list[float]]:
-    """The rest of a ring that has a vertex at p, from there around to it."""
+    """Return a ring that starts and ends at its vertex p."""
     k = ring.index(p)
     return [[float(c) for c in vertex] for vertex in (*ring[k + 1 :], *ring[:k])]
 
 
 @pytest.mark.parametrize("off", [2.0**-51, -(2.0**-51)])
-def test_a_pinch_opened_or_closed_by_an_ulp_is_rounding(off: float) -> None:
+def test_a_pinch_changed_by_an_ulp_is_rounding(off: float) -> None:
     exterior, *holes = list_exact_rings(PINCH, "no_fit")
     below, above = (split_at(hole, Point(Fraction(3), Fraction(3))) for hole in holes)
     outer = [[float(c) for c in vertex] for vertex in exterior]
@@ -219,7 +221,7 @@ def test_a_pinch_opened_or_closed_by_an_ulp_is_rounding(off: float) -> None:
         assert (part.verdict, part.reason) == (Verdict.WITHIN, f"rounded{said}")
     exactly = judge(PINCH, opened, "no_fit", rounding=Fraction(0))
     assert exactly.verdict.severity > Verdict.WITHIN.severity
-    # A neck that is wider than what is granted is no rounding.
+    # A neck wider than the granted rounding is not rounding.
     opened[1] = [*below, [3.001, 3.0], *above, [2.999, 3.0]]
     far = judge(PINCH, opened, "no_fit", numbers="binary64")
     assert far.verdict in (Verdict.UNSOUND, Verdict.WRONG)
@@ -263,22 +265,20 @@ def test_arithmetic_errors_are_named(words: str, x: Any, change: Any) -> None:
     case = Case.of("far", "", [(3 * x + 117, 70 * y) for x, y in D], G, (x, 5))
     ring = [[change(x), change(y)] for x, y in case.trajectory.vertices]
     assert words in judge(case, ring, numbers="rational").diagnosis
-    # With one coordinate otherwise it would be a guess.
+    # With one different coordinate, the diagnosis would be a guess.
     other = [[ring[0][0], "999"], *ring[1:]]
     assert words not in judge(case, other, numbers="rational").diagnosis
 
 
-def test_numbers_beyond_doubles_are_not_rounded_to_nothing() -> None:
+def test_numbers_beyond_doubles_are_kept() -> None:
     far = Case.of("beyond", "", [(10**400 * x, y) for x, y in BLOCK], SQUARE)
     flat = [[x if abs(x) < 10**300 else 0, y] for x, y in far.trajectory.vertices]
     assert judge(far, flat, numbers="rational").diagnosis == ()
 
 
 @pytest.mark.parametrize(("numbers", "verdict"), [("rational", "unsound"), ("integer", "within")])
-def test_integers_are_rounded_only_by_programs_that_read_nothing_else(
-    numbers: str, verdict: str
-) -> None:
-    """And not in a case that is smaller than a unit: anything would be within that."""
+def test_only_integer_programs_may_round_to_integers(numbers: str, verdict: str) -> None:
+    """And not in a case smaller than a unit, where anything would be within the bound."""
     small = [("1/3", 0), ("2/3", 0), ("1/2", "1/3")]
     case = Case.of("small", "", small, small)
     assert judge(case, [[0, 0], [1, 0], [1, 1]], numbers=numbers).verdict != "within"
@@ -289,7 +289,7 @@ def test_integers_are_rounded_only_by_programs_that_read_nothing_else(
 
 
 @pytest.mark.parametrize("sign", [1, -1])
-def test_the_last_numbers_of_single_precision_are_rounded_to_it(sign: int) -> None:
+def test_the_largest_singles_are_rounded_to_single_precision(sign: int) -> None:
     largest, beyond = sign * Fraction(2**128 - 2**104), sign * Fraction(2**128 - 2**103 - 2**74)
     third, rounded = Fraction(1, 3), Fraction(11184811, 2**25)
     exact = [[Point(beyond - sign, third), Point(beyond, third)]]

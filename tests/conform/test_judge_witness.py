@@ -1,4 +1,4 @@
-"""Witnesses that show points of loops, worked out by hand."""
+"""Witnesses for points of loops, worked out by hand."""
 
 import pytest
 
@@ -17,11 +17,11 @@ def box(side: int, low: int = 0) -> Ring:
     ("directrix", "hole", "side", "place"),
     [
         (10, [], 1, "D"),
-        # G does not fit into the hole, in whose middle the witness is.
+        # G does not fit into the hole that contains the witness.
         (10, [box(8, 1)], 9, "the inner loop"),
     ],
 )
-def test_a_point_out_of_reach_is_enclosed_by_the_sweep(
+def test_an_unreachable_point_is_enclosed_by_the_sweep(
     directrix: int, hole: list[Ring], side: int, place: str
 ) -> None:
     case = Case.of("enclosed", "", box(directrix), box(side), directrix_holes=hole)
@@ -36,7 +36,7 @@ def test_a_point_out_of_reach_is_enclosed_by_the_sweep(
     assert found.unsound.says == f"({x},{y}) is in {place}; it is outside the answered outer loop"
 
 
-def test_a_position_in_a_hole_is_free_for_a_whole_no_fit_polygon() -> None:
+def test_a_position_in_a_hole_of_the_no_fit_polygon_is_free() -> None:
     case = Case.of("caught", "", box(10), box(1), directrix_holes=[box(8, 1)])
     around, _ = compare(case, {"no_fit": [box(11, -1)]}).parts
     assert around.conservative is not None

@@ -1,4 +1,4 @@
-"""Shapes and questions: what a program is asked, and how its answers of any shape are judged."""
+"""Shapes and questions: the questions to a program, and the judging of answers of any shape."""
 
 import json
 from collections.abc import Callable
@@ -63,7 +63,7 @@ def verdicts(run: Run) -> dict[str, Verdict]:
     return {outcome.id: outcome.verdict for outcome in run.outcomes}
 
 
-def test_right_answers_of_any_shape_are_exact() -> None:
+def test_correct_answers_of_any_shape_are_exact() -> None:
     assert set(verdicts(judged(lambda answer: {})).values()) == {Verdict.EXACT}
 
 
@@ -110,8 +110,8 @@ def test_missing_parts_are_found(
     assert found == expected
 
 
-def test_positions_that_reach_out_of_a_container_are_unsound_with_a_witness() -> None:
-    """Every position at which G overlaps D, in the place of those inside it."""
+def test_positions_outside_a_container_are_unsound() -> None:
+    """The positions at which G overlaps D, instead of those inside D."""
     run = judged(lambda answer: {"inner_fit": answer["no_fit"][:1]})
     assert set(verdicts(run).values()) == {Verdict.UNSOUND}
     for outcome in run.show():
@@ -119,7 +119,7 @@ def test_positions_that_reach_out_of_a_container_are_unsound_with_a_witness() ->
         assert part["unsound"]["classified"] == "OVERLAP"
         assert "extends beyond D" in part["unsound"]["says"]
         case = next(case for case in CHOSEN if case.id == outcome.id)
-        # The point is in G there, and not in D: outside, or in a hole.
+        # There, the point is in G, but not in D: outside, or in a hole.
         moved = case.generatrix.translated(part["unsound"]["translation"])
         around = speck(*part["unsound"]["point"])
         assert classify(moved, around, (0, 0)).verdict == "OVERLAP"
@@ -127,7 +127,7 @@ def test_positions_that_reach_out_of_a_container_are_unsound_with_a_witness() ->
 
 
 def speck(x: str, y: str) -> Region:
-    """A triangle around a point, smaller than anything drawn."""
+    """A tiny triangle around a point."""
     px, py, e = Fraction(x), Fraction(y), Fraction(1, 10**40)
     return Region([(px - e, py - e), (px + e, py - e), (px, py + e)])
 
@@ -156,7 +156,7 @@ def test_a_hello_without_questions_gets_sweeps() -> None:
         adapt(plate, said)
 
 
-def test_the_new_hello_says_shapes_and_questions() -> None:
+def test_the_hello_states_shapes_and_questions() -> None:
     said = read_hello(json.dumps(NEW))
     assert said.questions == ("no_fit", "inner_fit")
     assert (said.loops, said.shapes) == ((), "any")
@@ -178,7 +178,7 @@ def test_the_new_hello_says_shapes_and_questions() -> None:
         ("any", {"CC", "CM", "MM", "SS"}),
     ],
 )
-def test_nobody_is_asked_of_more_than_he_claims(shapes: str, kinds: set[str]) -> None:
+def test_programs_are_only_asked_supported_questions(shapes: str, kinds: set[str]) -> None:
     asked = []
 
     def function(d: Any, g: Any, reference: Any) -> Answer:
@@ -196,7 +196,7 @@ def test_nobody_is_asked_of_more_than_he_claims(shapes: str, kinds: set[str]) ->
         assert holed.isdisjoint(outcome.id for outcome in skipped)
 
 
-def test_inner_fits_are_asked_where_the_case_has_them() -> None:
+def test_inner_fits_are_asked_if_the_case_has_them() -> None:
     roof = find_case("worked-roof")
     with pytest.raises(ValueError, match="skipped: the case has no inner fit"):
         adapt(roof, Hello("x", (), questions=("inner_fit",), shapes="any"))
@@ -206,7 +206,7 @@ def test_inner_fits_are_asked_where_the_case_has_them() -> None:
     )
 
 
-def test_cases_of_any_shape_are_put_in_the_terms_of_the_program() -> None:
+def test_cases_of_any_shape_are_adapted() -> None:
     for case in (find_case("caves-two-rooms-thirds"), find_case("containers-defects-thirds")):
         whole = adapt(case, Hello("x", (), "integer", "first", ("no_fit", "inner_fit"), "any"))
         again = Case.of(
@@ -228,7 +228,7 @@ def vars_of(case: Case) -> dict[str, Any]:
 
 
 @pytest.mark.long
-def test_a_case_with_holes_is_made_smaller_with_them() -> None:
+def test_a_case_with_holes_is_shrunk_with_them() -> None:
     case = find_case("plates-sizes")
 
     def loses_holes(case: Case) -> str:

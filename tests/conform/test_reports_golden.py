@@ -1,4 +1,4 @@
-"""All reports of one run, word for word; `python -m tests.goldens` regenerates them."""
+"""All reports of one run, verbatim; `python -m tests.goldens` rewrites them."""
 
 import json
 import re
@@ -26,12 +26,12 @@ from exactsweep.corpus import Case
 FILE = Path(__file__).parent / "reports.txt"
 INTO: Any = (SLOT, SQUARE, (0, 0))
 NOTCH: Any = (DIRECTRIX, GENERATRIX, ("1/2", 1))
-# The common point of an overlap, of which any is as good as another one.
+# The common point of an overlap, which is arbitrary.
 POINT = re.compile(r'(OVERLAP, point )\(.*?\)|("OVERLAP", "point": )\[.*?\]')
 
 
 def list_answers() -> Iterator[tuple[str, Any, dict[str, Any]]]:
-    """Yield the name of a case, its pair, and an answer to it."""
+    """Yield the name of a case, its pair, and an answer."""
     for name, pair in (("slot", INTO), ("notch", NOTCH)):
         case = Case.of(name, "", *pair)
         loop = list(case.trajectory.vertices)
@@ -51,7 +51,7 @@ def list_answers() -> Iterator[tuple[str, Any, dict[str, Any]]]:
 
 
 def make_run(accepted: Verdict) -> Run:
-    """Judge the answers, with seconds and memory that do not depend on the machine."""
+    """Judge the answers, with seconds and memory independent of the machine."""
     hello = Hello("mine & theirs", ("trajectory",))
     run = Run(hello, ["mine", "-v"], accepted, Fraction(9, 10))
     for k, (name, pair, answer) in enumerate(list_answers()):

@@ -20,7 +20,7 @@ def sign_wrong(case: Case) -> Verdict:
 
 
 def overflowing(case: Case) -> Verdict:
-    """A verdict that depends only on the size of numbers."""
+    """Return a verdict that depends only on the size of numbers."""
     largest = max(abs(c) for point in case.directrix_ring for c in point)
     return Verdict.WRONG if largest > 2**20 else Verdict.EXACT
 
@@ -44,7 +44,7 @@ def test_both_polygons_are_moved_to_the_origin_at_once() -> None:
     assert (small.generatrix, small.reference) == (Polygon([(0, 0), (3, 0), (0, 4)]), ORIGIN)
 
 
-def test_numbers_are_no_larger_than_the_failure_needs() -> None:
+def test_numbers_are_shortened_as_far_as_the_failure_allows() -> None:
     case = Case.of(
         "large", "", [(0, 0), (10**9, 1), (10**9, 10**9), (7, 10**9)], [(3, 3), (5, 3), (4, 9)]
     )
@@ -55,7 +55,7 @@ def test_numbers_are_no_larger_than_the_failure_needs() -> None:
     assert sorted(abs(c) for point in small.directrix_ring for c in point)[-2] <= 1
 
 
-def test_fractions_and_the_reference_point_go() -> None:
+def test_fractions_and_the_reference_point_are_removed() -> None:
     case = Case.of(
         "fractions",
         "",
@@ -84,7 +84,7 @@ def test_shrinking_adds_no_flag() -> None:
     assert set(small.flags) <= set(case.flags)
 
 
-def test_a_fault_stays_the_same() -> None:
+def test_the_fault_is_preserved() -> None:
     """A case with one crash must not become a case with another crash."""
     case = find_case("gen-monotone-1-0")
 
@@ -106,7 +106,7 @@ def test_an_irrelevant_hole_is_removed() -> None:
     assert len(shrink(case, lambda _: "wrong").directrix_rings) == 1
 
 
-def test_the_budget_is_kept() -> None:
+def test_the_search_stays_within_its_budget() -> None:
     asked: Counter[str] = Counter()
 
     def judge(case: Case) -> Verdict:
@@ -119,13 +119,13 @@ def test_the_budget_is_kept() -> None:
     assert asked.total() == 8
 
 
-def test_nothing_smaller_leaves_the_pair_as_it_is() -> None:
+def test_a_minimal_pair_is_unchanged() -> None:
     case = Case.of("tiny", "", [(0, 0), (1, 0), (0, 1)], [(0, 0), (1, 0), (0, 1)])
     same = shrink(case, lambda _: Verdict.CRASH)
     assert Polygon(same.directrix_ring).area == Fraction(1, 2)
     assert same.size == 6
 
 
-def test_a_case_that_does_not_fail_is_refused() -> None:
+def test_a_case_that_does_not_fail_is_rejected() -> None:
     with pytest.raises(ShrinkError, match="case fits-square does not fail: exact"):
         shrink(find_case("fits-square"), lambda _: Verdict.EXACT)

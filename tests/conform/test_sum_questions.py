@@ -1,4 +1,4 @@
-"""Questions for programs that compute a + b."""
+"""Programs that compute a + b."""
 
 import json
 import re
@@ -31,7 +31,7 @@ ROOM = find_case("holes-room")
 
 
 def add(a: Any, b: Any) -> Any:
-    """The sum of two shapes, lists of rings, by the no-fit polygon."""
+    """Compute the sum of two shapes, lists of rings, by the no-fit polygon."""
     found = no_fit_polygon(Region(a[0], a[1:]), Region(b[0], b[1:]).reflected())
     return [found.exterior, *found.holes]
 
@@ -77,7 +77,7 @@ def test_the_page_shows_the_questions() -> None:
     assert f"`{words}`" in page
 
 
-def test_a_function_is_asked_for_a_sum_whatever_the_reference_point() -> None:
+def test_a_sum_does_not_depend_on_the_reference_point() -> None:
     chosen = [*cases(prefix="holes-", max_size=30), *cases(prefix="worked-")]
     chosen += [Case.of("off", "", SQUARE, [(5, 5), (6, 5), (5, "13/2")], ("1/3", 7))]
     run = conform(add, chosen, name="add", questions=["minkowski_sum"], shapes="any")
@@ -142,7 +142,7 @@ def test_a_slit_may_be_traced_or_omitted() -> None:
         assert [part.name for part in found.parts] == ["minkowski_sum"]
 
 
-def test_a_number_whose_negative_is_too_large_is_not_asked() -> None:
+def test_numbers_without_a_negative_are_skipped() -> None:
     case = Case.of("edge", "", SQUARE, [(-(2**31), 0), (1, 0), (0, 1)])
     asked = Hello("mine", (), "int32", questions=("minkowski_sum",))
     with pytest.raises(UnsupportedError, match="int32 cannot represent the case"):
@@ -153,13 +153,13 @@ def test_a_number_whose_negative_is_too_large_is_not_asked() -> None:
 @pytest.mark.parametrize(
     "name", ["clockwise", "keyholed from vertex to vertex", "a fan of triangles"]
 )
-def test_a_right_sum_passes_in_any_way(name: str) -> None:
+def test_a_correct_sum_passes_in_any_notation(name: str) -> None:
     judged = judge_writing(WRITINGS[name], [ROOM], parts=("minkowski_sum",))
     assert judged.number == 1
     assert not judged.convicted
 
 
-def test_the_reference_of_a_hello_is_needed_for_positions_only() -> None:
+def test_only_positions_need_a_reference_in_the_hello() -> None:
     assert read_hello(HELLO).questions == ("minkowski_sum",)
     more = HELLO.replace('["minkowski_sum"]', '["minkowski_sum", "no_fit"]')
     with pytest.raises(ProtocolError, match='the hello has no "reference"'):

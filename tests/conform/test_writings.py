@@ -1,4 +1,4 @@
-"""A right answer passes however it is written; `python -m tests.writings` tries all cases."""
+"""A correct answer passes in any notation; `python -m tests.writings` tests all cases."""
 
 from functools import cache
 
@@ -8,7 +8,7 @@ from shipped_cases import shipped_cases
 
 from exactsweep.corpus import Case, find_case
 
-# An entry that fits, several holes, rings that touch, a container of several regions and fits.
+# An exact entry, several holes, touching rings, a container with several regions and fits.
 SPECIAL = ("fits-square", "holes-room", "sampled-plate-2", "components-unswept-slanted")
 
 
@@ -19,7 +19,7 @@ def find_cases() -> list[Case]:
 
 
 @pytest.mark.parametrize("name", WRITINGS)
-def test_a_right_answer_passes_in_any_way(name: str) -> None:
+def test_a_correct_answer_passes_in_any_notation(name: str) -> None:
     judged = judge_writing(WRITINGS[name], find_cases())
     assert judged.number
     assert judged.convicted == []
@@ -28,10 +28,10 @@ def test_a_right_answer_passes_in_any_way(name: str) -> None:
 @pytest.mark.long
 @pytest.mark.parametrize("name", ["the nearest doubles", "the nearest integers"])
 def test_a_rounded_answer_passes_in_all_cases(name: str) -> None:
-    """Rounding may make a loop touch itself, or a spike."""
+    """Rounding may create self-contacts and spikes."""
     judged = judge_writing(WRITINGS[name], (case for case in shipped_cases() if case.size <= 60))
     assert judged.convicted == []
 
 
-def test_there_are_more_than_forty_writings() -> None:
+def test_there_are_more_than_forty_notations() -> None:
     assert len(WRITINGS) > 40

@@ -89,14 +89,14 @@ def test_integer_scale_is_the_least_that_makes_the_input_integer(shipped: list[C
     for case in shipped:
         scale = case.integer_scale
         assert all((c * scale).denominator == 1 for c in input_of(case))
-        # A factor that makes them integer is a multiple of each denominator, and so of their lcm.
+        # A factor that makes them integers is a multiple of each denominator, so of their lcm.
         assert all(scale % c.denominator == 0 for c in input_of(case))
         for prime in (p for p in range(2, 50) if scale % p == 0):
             assert not all((c * scale / prime).denominator == 1 for c in input_of(case))
 
 
 @pytest.mark.long
-def test_representable_types_hold_every_coordinate(shipped: list[Case]) -> None:
+def test_representable_types_represent_every_coordinate(shipped: list[Case]) -> None:
     for case in shipped:
         scale = case.integer_scale
         for values, held in [
@@ -114,7 +114,7 @@ def test_representable_types_hold_every_coordinate(shipped: list[Case]) -> None:
 
 
 @pytest.mark.long
-def test_answers_that_integers_cannot_give_are_flagged(shipped: list[Case]) -> None:
+def test_answers_off_the_integer_grid_are_flagged(shipped: list[Case]) -> None:
     for case in shipped:
         scaled = [c * case.integer_scale for c in answer_of(case)]
         assert ("rounded-answer" in case.flags) == any(c.denominator > 1 for c in scaled)

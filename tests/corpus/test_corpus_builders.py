@@ -1,4 +1,4 @@
-"""Shipping: cases are added to the corpus and never changed."""
+"""Shipping: cases are added to the corpus, and never changed."""
 
 import json
 import shutil
@@ -30,12 +30,12 @@ def test_shipped_files_are_written_from_their_cases(theme: str) -> None:
 
 
 def test_shipped_inputs_never_change() -> None:
-    """Ids are immutable: the list of digests may grow, and no line of it may change."""
+    """Ids are immutable: the list of digests may grow, but no line may change."""
     digests = json.loads(command.DIGESTS.read_text(encoding="utf-8"))
     assert {case.id: digest(case) for case in shipped_cases()} == digests
 
 
-def test_parametric_families_give_the_pairs_that_are_shipped() -> None:
+def test_parametric_families_equal_the_shipped_pairs() -> None:
     pairs = {case.id: (case.directrix_rings, case.generatrix_rings) for case in shipped_cases()}
     for id, d, g in shipped():
         assert (read_given_rings(d), read_given_rings(g)) == pairs[id], id
@@ -55,7 +55,7 @@ def test_a_shipped_case_cannot_be_changed(change: dict[str, str], complaint: str
         with_answers("slivers", text_of("slivers"), [NEW, NEW])
 
 
-def test_a_new_case_is_added_and_the_others_stay() -> None:
+def test_a_new_case_changes_no_other() -> None:
     old = text_of("slivers")
     text = written("slivers", with_answers("slivers", old, [NEW]))
     before, after = json.loads(old)["cases"], json.loads(text)["cases"]
@@ -64,7 +64,7 @@ def test_a_new_case_is_added_and_the_others_stay() -> None:
     assert written("slivers", with_answers("slivers", text, [], renew=True)) == text
 
 
-def test_nothing_is_written_where_a_case_is_at_fault(
+def test_nothing_is_written_if_a_case_is_invalid(
     monkeypatch: pytest.MonkeyPatch, tmp_path: Path
 ) -> None:
     data = tmp_path / "data"

@@ -1,4 +1,4 @@
-"""A case: made, written, read, and refused."""
+"""Cases are made, written, read and rejected."""
 
 import copy
 import json
@@ -31,7 +31,7 @@ any_pair = own.pairs("CC") | own.pairs("CM") | own.pairs("MM")
 
 @given(any_pair, own.translations(), st.data())
 @examples(30)
-def test_json_keeps_everything(
+def test_json_round_trips(
     pair: tuple[Polygon, Polygon], reference: Any, data: st.DataObject
 ) -> None:
     generatrix, directrix = (data.draw(own.spellings(polygon)) for polygon in pair)
@@ -72,8 +72,8 @@ def test_scale_counts_the_reference_point() -> None:
 
 
 @pytest.mark.parametrize("row", SPOILT, ids=lambda row: "-".join(map(str, row["path"])))
-def test_refusals_say_where_and_the_schema_knows_the_form(row: dict[str, Any]) -> None:
-    """A row has a path, what is there instead, if anything, the refusal, and the schema's view."""
+def test_errors_state_the_path_and_agree_with_the_schema(row: dict[str, Any]) -> None:
+    """A row has a path, its replacement, the error, and whether the schema accepts the result."""
     data = copy.deepcopy(DATA)
     *path, last = row["path"]
     spoilt: Any = reduce(getitem, path, data)
@@ -92,7 +92,7 @@ def refusal(data: object) -> str | None:
     return None
 
 
-def test_long_numbers_are_refused() -> None:
+def test_long_numbers_are_rejected() -> None:
     ring = [["0", "0"], ["9" * 10**6, "0"], ["0", "1"]]
     with pytest.raises(CaseError, match="more than 137607 digits"):
         case_from_json(DATA | {"directrix": ring})
@@ -108,6 +108,6 @@ def test_invalid_cases_are_rejected(data: Any) -> None:
     ("count", "columns", "rows"),
     [(0, 1, 0), (1, 1, 1), (4, 2, 2), (5, 3, 2), (10, 4, 3)],
 )
-def test_pictures_are_laid_out_in_about_a_square(count: int, columns: int, rows: int) -> None:
+def test_pictures_are_arranged_in_a_square(count: int, columns: int, rows: int) -> None:
     head, *_ = cases_to_svg([find_case("fits-square")] * count)
     assert f'viewBox="0 0 {columns * 440} {rows * 370}"' in head

@@ -1,4 +1,4 @@
-"""`exactsweep corpus`, run as a user does; transcripts/corpus.txt has its output."""
+"""`exactsweep corpus`, run in a separate process; transcripts/corpus.txt has its output."""
 
 import json
 
@@ -19,7 +19,7 @@ def lines(*arguments: str) -> list[str]:
     return result.stdout.splitlines()
 
 
-def test_all_cases_are_listed_and_all_families_drawn_from_in_turn() -> None:
+def test_all_cases_and_families_are_listed() -> None:
     assert [line.split()[0] for line in lines("list")] == [case.id for case in shipped_cases()]
     drawn = [
         json.loads(line)["id"] for line in lines("generate", "--count", f"{len(FAMILIES) + 1}")
@@ -27,7 +27,7 @@ def test_all_cases_are_listed_and_all_families_drawn_from_in_turn() -> None:
     assert drawn == [*(f"gen-{family}-0-0" for family in FAMILIES), "gen-convex-0-1"]
 
 
-def test_export_as_json_is_a_case_a_line() -> None:
+def test_json_export_has_one_case_per_line() -> None:
     found = lines("export", "fits", "gen-grid-1-2")
     expected = [*cases(prefix="fits-"), find_case("gen-grid-1-2")]
     assert [case_from_json(json.loads(line)) for line in found] == expected
@@ -42,7 +42,7 @@ def test_a_pipe_that_is_closed_ends_the_command_quietly() -> None:
 
 
 def test_generation_streams() -> None:
-    """The first of very many cases is printed at once."""
+    """The first of many cases is printed immediately."""
     result = shell(f"{CORPUS} generate --count 1000000000 | head -n 2")
     assert len(result.stdout.splitlines()) == 2
 

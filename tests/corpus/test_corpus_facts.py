@@ -1,4 +1,4 @@
-"""Computed flags: for each a pair that just has it and a pair that just lacks it."""
+"""Computed flags: for each, a pair that barely has it and one that barely lacks it."""
 
 from fractions import Fraction
 from typing import Any
@@ -100,7 +100,7 @@ def test_flag_is_found(flag: str, inside: Any, outside: Any) -> None:
 
 @given(own.pairs("CC") | own.pairs("CM") | own.pairs("MM"), own.translations())
 @examples(40)
-def test_flags_of_shape_do_not_depend_on_the_place(
+def test_flags_are_translation_invariant(
     pair: tuple[Polygon, Polygon], by: tuple[Fraction, Fraction]
 ) -> None:
     placed = {"touching", "huge", "fractional-input", "rounded-answer", "product-rounding"}

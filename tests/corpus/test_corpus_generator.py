@@ -47,7 +47,7 @@ def test_a_range_beyond_64_bits_takes_two_draws() -> None:
     assert [random.between(0, 2**64) for _ in "ab"] == [14703512553011986645, 16698534356282190863]
 
 
-def test_all_numbers_are_drawn_about_equally_often() -> None:
+def test_draws_are_nearly_uniform() -> None:
     random = Prng("dice")
     thrown = [random.between(1, 6) for _ in range(6000)]
     assert all(900 < thrown.count(side) < 1100 for side in range(1, 7))
@@ -55,7 +55,7 @@ def test_all_numbers_are_drawn_about_equally_often() -> None:
     assert 900 < happened < 1100
 
 
-def test_a_range_that_is_no_part_of_all_draws_is_drawn_evenly() -> None:
+def test_a_range_that_does_not_divide_the_draws_is_uniform() -> None:
     random, third = Prng("long dice"), 2**62
     low = sum(random.between(1, 3 * third) <= third for _ in range(600))
     assert 160 < low < 240
@@ -73,7 +73,7 @@ def test_cases_are_proved(family: str) -> None:
 
 
 @each_family
-def test_cases_come_again_by_their_id(family: str) -> None:
+def test_cases_are_regenerated_by_id(family: str) -> None:
     for number, case in enumerate(generate(family, 5, 3)):
         assert case.id == f"gen-{family}-5-{number}"
         assert find_case(case.id) == case
@@ -96,6 +96,6 @@ def test_flags_are_known(family: str) -> None:
         (1, -2, "^the count is negative: -2$"),
     ],
 )
-def test_numbers_out_of_range_are_refused(seed: int, count: int, message: str) -> None:
+def test_numbers_out_of_range_are_rejected(seed: int, count: int, message: str) -> None:
     with pytest.raises(ValueError, match=message):
         generate("grid", seed, count)

@@ -1,4 +1,4 @@
-"""The shipped layouts: the judge agrees with answers worked out by hand."""
+"""Shipped layouts: the judge agrees with answers worked out by hand."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ SCHEMA = Draft202012Validator(
 )
 
 
-def test_there_are_right_and_wrong_ones() -> None:
+def test_there_are_valid_and_invalid_layouts() -> None:
     valid = [case.expected["valid"] for case in CASES.values()]
     assert len(CASES) >= 40
     assert min(valid.count(True), valid.count(False)) >= 20
@@ -36,7 +36,7 @@ def test_there_are_right_and_wrong_ones() -> None:
 
 
 @pytest.mark.parametrize("id", CASES)
-def test_a_layout_is_judged_as_it_was_worked_out(id: str) -> None:
+def test_verdicts_equal_answers_worked_out_by_hand(id: str) -> None:
     case = CASES[id]
     SCHEMA.validate(case.data)
     judgement = judge_layout(case.layout)
@@ -73,12 +73,12 @@ def test_some_faults_have_no_proof(id: str) -> None:
 
 
 def is_irrational(fault: Fault, case: LayoutCase) -> bool:
-    """Return whether a placement of a fault has an irrational turn."""
+    """Return whether a placement of a fault has an irrational rotation."""
     return any(case.layout.placements[k].turn.exact is None for k in fault.placements)
 
 
 def tell(fault: Fault, case: LayoutCase) -> dict[str, Any]:
-    """A fault as a case has it."""
+    """Return a fault in the format of a case."""
     data: dict[str, Any] = {"kind": fault.kind, "placements": list(fault.placements)}
     if fault.kind in ("overlap", "outside"):
         depth = None if is_irrational(fault, case) else fault.depth_squared

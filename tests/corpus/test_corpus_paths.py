@@ -22,7 +22,7 @@ def test_sums_with_paths_are_exact(case: PathCase) -> None:
 
 
 def sweep_along(rings: list[list[Point]], start: Point, end: Point) -> Any:
-    """Unite a shape at both ends of a segment with the areas that its edges cover between."""
+    """Unite a shape at both ends of a segment with the areas that its edges sweep."""
     exterior, *holes = rings
     ends = [
         shapely.Polygon([move(p, by) for p in exterior], [[move(p, by) for p in h] for h in holes])
@@ -41,7 +41,7 @@ def move(point: Point, by: Point) -> tuple[float, float]:
 
 
 @pytest.mark.parametrize("case", CASES, ids=lambda case: case.id)
-def test_float_unions_have_nearly_the_same_area(case: PathCase) -> None:
+def test_unions_in_floats_have_nearly_the_same_area(case: PathCase) -> None:
     points = [*case.path.points, *case.path.points[:1]] if case.path.closed else case.path.points
     rings = [[*ring] for ring in case.shape.rings]
     whole = [sweep_along(rings, *way) for way in pairwise([*points, points[-1]])]

@@ -1,4 +1,4 @@
-"""The corpus as one folder of data: all of it, checksums, and readers that agree."""
+"""The corpus as a folder of data: complete, with checksums and readers that agree."""
 
 import json
 import re
@@ -40,7 +40,7 @@ def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 
 @pytest.mark.long
-def test_every_case_is_there_with_a_version(folder: Path) -> None:
+def test_every_case_is_published_with_a_version(folder: Path) -> None:
     listed = sorted(path.name for path in (folder / "cases").iterdir())
     assert listed == [f"{theme}.jsonl" for theme in themes()]
     lines = [
@@ -80,15 +80,15 @@ def test_checksums_are_those_of_all_files(folder: Path) -> None:
 
 
 @pytest.mark.long
-def test_strings_have_no_escapes_but_two(folder: Path) -> None:
-    """So that a reader needs none."""
+def test_strings_have_only_two_escapes(folder: Path) -> None:
+    """So a simple reader suffices."""
     for path in (folder / "cases").iterdir():
         text = path.read_text(encoding="utf-8")
         assert not re.search(r'\\[^"\\]', text), path
         assert not re.search(r'"[:,] ', re.sub(r'"[^"]*"', '""', text)), path
 
 
-def test_a_file_in_place_of_the_folder_is_refused(tmp_path: Path) -> None:
+def test_a_file_instead_of_the_folder_is_rejected(tmp_path: Path) -> None:
     (tmp_path / "file").write_text("")
     said = refusal(run("corpus", "release", "-o", str(tmp_path / "file")))
     assert said.startswith(str(tmp_path / "file"))
@@ -96,7 +96,7 @@ def test_a_file_in_place_of_the_folder_is_refused(tmp_path: Path) -> None:
 
 @pytest.mark.long
 def test_ids_questions_and_answers_of_released_versions_are_unchanged() -> None:
-    """The digests are as old as the versions; a case is never changed or removed."""
+    """Digests are recorded per version; cases are never changed or removed."""
     released = json.loads((RELEASE / "versions.json").read_text(encoding="utf-8"))
     assert [*released] == [str(k) for k in range(1, VERSION + 1)]
     changes = (RELEASE / "CHANGELOG.md").read_text(encoding="utf-8")
@@ -109,7 +109,7 @@ def test_ids_questions_and_answers_of_released_versions_are_unchanged() -> None:
 
 
 @pytest.mark.long
-def test_the_digest_is_that_of_the_page(folder: Path) -> None:
+def test_the_digest_follows_the_page(folder: Path) -> None:
     page = (folder / "HOW-TO-READ.md").read_text(encoding="utf-8")
     recipe = page.partition("`versions.json`")[2].partition("`CHANGELOG.md`")[0]
     names = {*re.findall(r"`(\w+)`", recipe)}
@@ -129,7 +129,7 @@ def test_the_digest_is_that_of_the_page(folder: Path) -> None:
         assert sha256(text.encode()).hexdigest() == released["sha256"]
 
 
-def test_the_digest_sees_questions_and_answers_and_nothing_else(
+def test_the_digest_covers_only_questions_and_answers(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     case = shipped_cases()[0]
@@ -170,7 +170,7 @@ def test_readers_read_the_cases(name: str, folder: Path, tmp_path: Path) -> None
 
 
 def write(case: Case) -> str:
-    """The line that a reader writes."""
+    """Return the line that a reader writes for a case."""
     x, y = case.trajectory.vertices[0]
     counts = len(case.directrix_ring), len(case.trajectory), len(case.exact_fits)
     return " ".join([case.id, *map(str, counts), ratio(x), ratio(y)])

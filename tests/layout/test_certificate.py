@@ -1,4 +1,4 @@
-"""Certificates of layouts: those of the finder are proved, changed ones are rejected."""
+"""Certificates of layouts: written ones are proved, changed ones rejected."""
 
 import copy
 import json
@@ -15,7 +15,7 @@ from exactsweep.layout import Layout, LayoutError, judge_layout
 from exactsweep.layout.pieces import cut_outside
 
 TINY = Fraction(1, 10**30)
-# The left corner of the first part is at x = 3/2 exactly, which turns rounded once do not show.
+# The left corner of the first part is at x = 3/2 exactly; singly rounded rotations miss this.
 NEARLY = [
     lay(box(0, 0, 9, 9), {"t": TILE}, put("t", (2, 2), 30), put("t", (Fraction(1, 2) + by, "2.4")))
     for by in (-TINY, TINY)
@@ -87,8 +87,8 @@ def test_faults_of_parts_at_any_angle_are_proved(kind: str) -> None:
 
 @pytest.mark.parametrize("digits", range(17, 23))
 @pytest.mark.parametrize("kind", ["spacing", "margin"])
-def test_gaps_at_the_limit_of_rational_turns_are_proved(kind: str, digits: int) -> None:
-    """Squares that reach sqrt(2) or twice that; the first rational turns are off by about 1e-19."""
+def test_gaps_at_the_limit_of_rational_rotations_are_proved(kind: str, digits: int) -> None:
+    """Squares of diagonal sqrt(2); the first rational rotations are off by about 1e-19."""
     root = Fraction(isqrt(2 * 100**digits), 10**digits)
     for reach in (root, root + Fraction(1, 10**digits)):
         gap = str(2 * (3 - reach))
@@ -104,13 +104,13 @@ def test_gaps_at_the_limit_of_rational_turns_are_proved(kind: str, digits: int) 
 
 
 @pytest.mark.parametrize(("x", "y"), [(3, 4), (-3, 4), (-4, 3)])
-def test_corners_as_far_apart_as_they_must_be_are_proved(x: int, y: int) -> None:
-    """No edge is perpendicular to the direction in which they are separated."""
+def test_corners_at_exactly_the_spacing_are_proved(x: int, y: int) -> None:
+    """No edge is perpendicular to the separating direction."""
     at = 10 + x + (1 if x > 0 else -1), 10 + y + 1
     prove(lay(box(0, 0, 30, 30), {"t": TILE}, put("t", (10, 10)), put("t", at), spacing=5))
 
 
-def test_what_is_undecided_has_no_certificate() -> None:
+def test_undecided_faults_have_no_certificate() -> None:
     layout = lay(SHEET, {"t": TILE}, put("t", (5, 0), 45))
     (fault,) = judge_layout(layout).faults
     assert fault.kind == "undecided"
@@ -142,7 +142,7 @@ UNSIMPLE = {
     "a hole in a hole": (box(0, 0, 9, 9), [box(1, 1, 8, 8), box(2, 2, 3, 3)]),
     "a hole twice": (box(0, 0, 9, 9), [box(1, 1, 8, 8), box(1, 1, 8, 8)]),
 }
-# Rings that go around each point 0 times or once, though they are not simple.
+# Rings with winding numbers 0 or 1 everywhere that are not simple.
 TOUCHING = {
     "vertex on an edge": [(0, 0), (4, 0), (4, 4), (2, 0), (0, 4)],
     "vertices coincide": [(0, 0), (2, 2), (4, 0), (4, 4), (2, 2), (0, 4)],
@@ -153,7 +153,7 @@ TOUCHING = {
 
 
 @pytest.mark.parametrize("name", UNSIMPLE)
-def test_parts_that_are_not_simple_are_proved_so(name: str) -> None:
+def test_nonsimple_parts_are_proved(name: str) -> None:
     exterior, holes = UNSIMPLE[name]
     layout = lay(SHEET, {"p": {"exterior": exterior, "holes": holes}}, put("p"))
     (fault,) = prove(layout)["faults"]
@@ -161,7 +161,7 @@ def test_parts_that_are_not_simple_are_proved_so(name: str) -> None:
 
 
 @pytest.mark.parametrize("name", TOUCHING)
-def test_rings_that_only_touch_are_a_fault_without_a_certificate(name: str) -> None:
+def test_faults_of_touching_rings_have_no_certificate(name: str) -> None:
     layout = lay(SHEET, {"p": TOUCHING[name]}, put("p"))
     assert [fault.kind for fault in judge_layout(layout).faults] == ["shape"]
     with pytest.raises(LayoutError, match="no certificate"):
@@ -180,8 +180,8 @@ def falsify(certificate: dict[str, Any], change: Any) -> dict[str, Any]:
     return false
 
 
-def test_what_is_changed_is_refused() -> None:
-    # The ring and the block in it leave no whole normal: there are pieces on all sides.
+def test_changed_certificates_are_rejected() -> None:
+    # No single normal separates the ring and the block in it: there are pieces on all sides.
     layout = lay(
         box(0, 0, 4, 4),
         {"r": RING, "t": [(0, 1), (1, 0), (2, 1), (1, 2)]},
@@ -240,7 +240,7 @@ def square(x: object, y: object, size: int) -> list[list[str]]:
         (("2.5", 2), "1", [0, -3]),
     ],
 )
-def test_defects_that_cross_are_obstacles_of_their_own(
+def test_crossing_defects_are_separate_obstacles(
     move: tuple[object, object], margin: str, bodies: list[int] | None
 ) -> None:
     """Defect k is -2 - k; holes of the container belong to its outside, -1."""

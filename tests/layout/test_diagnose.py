@@ -118,7 +118,7 @@ def test_another_center_is_named(center: str, said: str) -> None:
     placed = []
     for turn, (x, y) in PLACED:
         c, s = COSINE_AND_SINE[turn]
-        # L at (x, y) turns about its origin, R (u + 1, v + 4) from where the center is.
+        # L at (x, y) rotates about its origin, at offset R (u + 1, v + 4) from the center.
         at = x + c * (u + 1) - s * (v + 4), y + s * (u + 1) + c * (v + 4)
         back = (u, v) if said.startswith("rotations") else (0, 0)
         placed.append(place(turn, at[0] - back[0], at[1] - back[1]))
@@ -128,7 +128,7 @@ def test_another_center_is_named(center: str, said: str) -> None:
     assert any(note.startswith(f"with {said.format(center)}, 0 of ") for note in notes), notes
 
 
-def test_a_single_overlap_is_no_convention() -> None:
+def test_a_single_overlap_has_no_diagnosis() -> None:
     placed = [place(turn, *at) for turn, at in PLACED]
     tiles = [place(0, 0, 0), place(0, 0, 0), *placed[1:]]
     many = judge_layout(layout(tiles))
@@ -148,7 +148,7 @@ def test_a_single_overlap_is_no_convention() -> None:
 )
 def test_other_mirrors_are_named(write: Callable[..., Any], said: str) -> None:
     # The whole layout mirrored in x is R(-a) M P + (9 - x, y).
-    # Next to it is the layout as it is, to which no convention of mirrors applies.
+    # Next to it is the original layout, to which no mirroring convention applies.
     unchanged = [place(turn, x + 9, y) for turn, (x, y) in PLACED]
     wide = {"container": {"exterior": [("0", "0"), ("18", "0"), ("18", "4"), ("0", "4")]}}
     mirrored = [place(-int(turn), 9 - x, y, mirrored=True) for turn, (x, y) in PLACED]
@@ -187,13 +187,13 @@ def test_the_convention_that_leaves_the_fewest_faults_is_named_first(
         ("33.3", ""),
     ],
 )
-def test_turns_that_look_like_radians_are_named(turn: str, said: str) -> None:
+def test_rotations_in_radians_are_reported(turn: str, said: str) -> None:
     turned = lay(box(-9, -9, 9, 9), {"t": box(0, 0, 2, 1)}, put("t", (0, 0), turn))
     found = find_radians(turned)
     assert (said in found[0]) if said else not found
 
 
-def test_rounding_is_no_matter_of_conventions() -> None:
+def test_rounding_errors_have_no_diagnosis() -> None:
     tiles = [put("t", (k * Fraction("0.9999999999"), 0)) for k in range(8)]
     judgement = judge_layout(lay(box(0, 0, 9, 9), {"t": box(0, 0, 1, 1)}, *tiles))
     assert len(judgement.faults) == 7

@@ -1,4 +1,4 @@
-"""Layouts judged: answers worked out by hand."""
+"""Judged layouts, with answers worked out by hand."""
 
 from dataclasses import replace
 from fractions import Fraction
@@ -54,7 +54,7 @@ def test_an_overlap_is_proved_and_measured() -> None:
     assert first.rotated(180).translated((5, 3)).contains(inside, strictly=True)
 
 
-def test_faults_that_say_the_same_are_equal_however_they_were_found() -> None:
+def test_equal_faults_compare_equal() -> None:
     tile = {"t": box(0, 0, 2, 2)}
     (fault,) = judge_layout(lay(SHEET, tile, put("t", (2, 2)), put("t", (3, 3)))).faults
     assert replace(fault, _bits=7, wall=1, _board=None) == fault
@@ -67,8 +67,8 @@ def test_a_part_as_wide_as_the_container_is_moved_onto_an_exact_fit() -> None:
 
 
 @pytest.mark.parametrize("digits", [3, 9, 20, 30, 50, 60])
-def test_turned_corners_that_nearly_touch_are_decided(digits: int) -> None:
-    # Unit squares on their corners are sqrt(2) wide.
+def test_rotated_corners_that_nearly_touch_are_decided(digits: int) -> None:
+    # Unit squares standing on a corner are sqrt(2) wide.
     unit = 10**digits
     for gap, kind in ((0, "overlap"), (1, "too close")):
         for k, found in ((0, [(kind, (0, 1))]), (1, [])):
@@ -108,7 +108,7 @@ def test_faults_as_json() -> None:
 
 
 def test_defects_far_from_a_part_take_no_time(monkeypatch: pytest.MonkeyPatch) -> None:
-    # 100 parts, each next to one of 100 defects, in a container that is no box.
+    # 100 parts, each next to one of 100 defects, in a container that is not a box.
     asked = 0
 
     def judge_and_count(*pair: Any) -> Any:

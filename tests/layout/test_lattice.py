@@ -1,4 +1,4 @@
-"""Solids on lattices: laws for each step of the search, not only for its answer."""
+"""Solids on lattices: laws for each step of the search, as well as for its result."""
 
 from fractions import Fraction
 
@@ -18,9 +18,7 @@ vertices = st.tuples(steps, steps)
 
 
 @given(st.integers(1, 6), st.integers(1, 6), vertices)
-def test_a_finer_lattice_leaves_a_solid_where_it_was(
-    scale: int, factor: int, move: tuple[int, int]
-) -> None:
+def test_a_finer_lattice_keeps_the_position(scale: int, factor: int, move: tuple[int, int]) -> None:
     form = LatticeForm([[(0, 0), (4, 1), (3, 5)]])
     solid = Solid(form, *move, scale, Fraction(1, 7))
     finer = solid.on(scale * factor)
@@ -34,7 +32,7 @@ def test_a_finer_lattice_leaves_a_solid_where_it_was(
 @examples(60)
 @given(vertices, vertices)
 @example((-6, -6), (-6, -6))
-def test_the_nearest_parts_stay_the_same_when_all_are_moved(
+def test_nearest_parts_are_translation_invariant(
     move: tuple[int, int], by: tuple[int, int]
 ) -> None:
     (x, y), (u, v) = move, by
@@ -66,14 +64,14 @@ def test_a_witness_may_be_as_deep_as_the_slack_allows() -> None:
     def witness(slack: Fraction) -> object:
         return find_witness(Solid(form, 0, 0, scale, slack), Solid(form, 0, 0, scale, slack))
 
-    # The centre is 2 from each side.
+    # The center is at distance 2 from each side.
     assert witness(Fraction(199, 100)) is not None
     assert witness(Fraction(2)) is None
 
 
 @given(st.integers(0, 2), st.integers(0, 2))
-def test_the_edge_that_parts_two_pieces_may_come_anywhere(first: int, second: int) -> None:
-    """A corner touches the middle of an edge, whose normal is the only one that parts them."""
+def test_any_edge_may_separate_two_pieces(first: int, second: int) -> None:
+    """A corner touches the middle of an edge, whose normal is the only separating one."""
     wall, wedge = [(7, 2), (1, 8), (1, 2)], [(4, 5), (10, 6), (5, 11)]
     wall, wedge = wall[first:] + wall[:first], wedge[second:] + wedge[:second]
     nothing = Fraction(0)
@@ -81,8 +79,8 @@ def test_the_edge_that_parts_two_pieces_may_come_anywhere(first: int, second: in
     assert find_normal(wedge, wall, nothing) == (-1, -1)
 
 
-def test_distances_are_exact_where_moves_have_no_common_lattice() -> None:
-    """Boxes of half a unit, moved by a number with more bits than a lattice may have."""
+def test_distances_are_exact_without_a_common_lattice() -> None:
+    """Boxes of half a unit, translated by a number with more bits than a lattice may have."""
     move = 1 + Fraction(1, 2**9000)
     places = put("b", (0, 0)), put("b", (str(move), 0))
     judgement = judge_layout(lay(box(-9, -9, 9, 9), {"b": box(0, 0, "1/2", "1/2")}, *places))

@@ -1,4 +1,4 @@
-"""Layouts as values: read and written; errors name the part or placement, and the field."""
+"""Layouts as values are read and written; errors name the part or placement, and the field."""
 
 import json
 from copy import deepcopy
@@ -47,7 +47,7 @@ def schema() -> Any:
     return json.loads(text)
 
 
-def test_what_is_written_is_read_again() -> None:
+def test_layouts_round_trip() -> None:
     layout = Layout.from_json(example())
     assert Layout.from_json(layout.to_json()) == layout
     assert Layout.from_json(json.loads(json.dumps(layout.to_json()))) == layout
@@ -55,7 +55,7 @@ def test_what_is_written_is_read_again() -> None:
         jsonschema.validate(data, schema())
 
 
-def test_every_field_arrives() -> None:
+def test_every_field_is_read() -> None:
     layout = Layout.from_json(example())
     tile, bow = layout.parts
     assert isinstance(layout.container, Region)
@@ -107,7 +107,7 @@ def changed(*path: Any, to: Any = GONE) -> Any:
 
 
 @pytest.mark.parametrize(("call", "said"), list_refusals(__file__))
-def test_wrong_data_are_refused_by_name(call: str, said: str) -> None:
+def test_invalid_data_is_rejected_by_field(call: str, said: str) -> None:
     require_refused(call, said, Layout=Layout, SQUARE=SQUARE, changed=changed)
 
 

@@ -1,4 +1,4 @@
-"""The campaign over layouts: a few trials without mismatch, and wrong answers are noticed."""
+"""The campaign over layouts: a few trials have no mismatch, and wrong answers are detected."""
 
 from types import SimpleNamespace
 from typing import Any
@@ -47,11 +47,11 @@ def changed(**changes: Any) -> Any:
         ),
     ],
 )
-def test_wrong_judgements_are_noticed(changes: dict[str, Any], difference: str) -> None:
+def test_wrong_judgements_are_detected(changes: dict[str, Any], difference: str) -> None:
     assert find_difference(LAYOUT, changed(**changes)) == difference
 
 
-def test_wrong_moves_are_noticed() -> None:
+def test_wrong_moves_are_detected() -> None:
     assert find_wrong_move(LAYOUT, judge_layout(LAYOUT), 1) == ""
     for move, wrong in (
         ((1, 0), "a shorter move frees it"),

@@ -23,7 +23,7 @@ WIDTH, HEIGHT = 12, 8
 
 
 class Placed(NamedTuple):
-    """A part, its turn in degrees, and its move in tenths."""
+    """A part, its rotation in degrees, and its translation in tenths."""
 
     part: str
     turn: int
@@ -138,14 +138,14 @@ FORMATS = [as_sparrow, as_sparrow_svg, as_svgnest, as_packingsolver]
 @pytest.mark.parametrize("write", FORMATS)
 @settings(max_examples=12)
 @given(PLACED)
-def test_a_layout_is_judged_alike_in_every_format(write: Any, placed: list[Placed]) -> None:
+def test_a_layout_has_the_same_verdict_in_every_format(write: Any, placed: list[Placed]) -> None:
     expected = judge(as_layout(placed))
     assert sum_up(judge(write(placed))) == sum_up(expected)
 
 
 @settings(max_examples=12)
 @given(PLACED.filter(lambda placed: all(p.turn % 90 == 0 for p in placed)))
-def test_a_drawing_of_a_layout_is_judged_as_it_is(placed: list[Placed]) -> None:
+def test_a_drawing_is_judged_in_place(placed: list[Placed]) -> None:
     layout, _ = as_layout(placed)
     expected = judge_layout(Layout.from_json(layout))
     box = [(0, 0), (WIDTH, 0), (WIDTH, HEIGHT), (0, HEIGHT)]

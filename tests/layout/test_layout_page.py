@@ -70,6 +70,6 @@ def test_the_wheel_and_the_pointer_zoom_and_pan(tab: Any) -> None:
     assert find_box(tab) == whole
 
 
-def test_a_narrow_screen_needs_no_scrolling_sideways(tab: Any) -> None:
+def test_a_narrow_screen_needs_no_horizontal_scrolling(tab: Any) -> None:
     tab.set_viewport_size({"width": 390, "height": 800})
     assert tab.evaluate("document.documentElement.scrollWidth") <= 390

@@ -31,7 +31,7 @@ def judged(slug: str) -> Judgement:
     return judge_layout(find_layout_case(f"layouts-{slug}").layout)
 
 
-def test_faults_come_first_and_the_worst_of_them() -> None:
+def test_the_worst_faults_come_first() -> None:
     text = report_layout(judged("all-at-once"))
     assert text == (
         "verdict     not valid: 1 overlap, 1 outside, 2 too close, 1 missing\n"
@@ -53,14 +53,14 @@ def test_faults_come_first_and_the_worst_of_them() -> None:
     )
 
 
-def test_a_terminal_is_not_overrun() -> None:
+def test_reports_fit_the_terminal() -> None:
     text = report_layout(judged("all-at-once"), terminal_width=60)
     plain = re.sub(r"\x1b\[[0-9;]*m", "", text)
     assert max(map(len, plain.splitlines())) <= 60
     assert text != plain
 
 
-def test_a_valid_layout_says_how_near_it_is() -> None:
+def test_a_valid_layout_reports_its_minimum_distance() -> None:
     text = report_layout(judged("gap-1e-30"), notes=["one", "two"])
     assert text.startswith("verdict     valid\n")
     assert "nearest     0 tile and 1 tile, 1e-30 apart\n" in text
@@ -79,7 +79,7 @@ def test_a_valid_layout_says_how_near_it_is() -> None:
         ("margin-missed", "0.125 apart"),
     ],
 )
-def test_each_kind_says_how_bad_it_is(slug: str, said: str) -> None:
+def test_each_kind_of_fault_reports_its_measure(slug: str, said: str) -> None:
     assert said in report_layout(judged(slug))
 
 
@@ -161,12 +161,12 @@ def classes(svg: str) -> dict[str, int]:
     return found
 
 
-def test_a_picture_has_all_parts_and_the_faulty_ones_in_red() -> None:
+def test_a_picture_shows_all_parts_with_faulty_ones_in_red() -> None:
     judgement = judged("all-at-once")
     svg = draw_layout(judgement, rank_faults(judgement), "a <layout>")
     assert "<title>a &lt;layout&gt;</title>" in svg
     found = classes(svg)
-    # One part has no fault. Four faults have a witness, and so a detail; three show two parts.
+    # One part has no fault. Four faults have a witness, so an enlargement; three show two parts.
     assert (found["part"], found["frame"]) == (1, 4)
     assert found["bad"] == 4 + 2 + 1 + 2 + 2
     assert found["number"] == 5  # of the placements
@@ -177,7 +177,7 @@ def test_a_picture_has_all_parts_and_the_faulty_ones_in_red() -> None:
 
 
 def require_room(svg: ElementTree.Element) -> None:
-    """Require that enlarged faults with their two lines lie below the layout, in the picture."""
+    """Require that enlarged faults and their captions are below the layout, in the picture."""
     width, height = float(svg.get("width", "")), float(svg.get("height", ""))
     panels = [(float(p.get("x", "")), float(p.get("y", ""))) for p in svg.findall(f"{SVG}svg")]
     drawn = " ".join(path.get("d", "") for path in svg.findall(f"{SVG}path"))
@@ -202,14 +202,14 @@ def test_every_case_is_drawn(case: Any) -> None:
 
 
 @pytest.mark.parametrize("case", [*layout_cases()], ids=lambda case: case.id)
-def test_faults_of_a_layout_elsewhere_are_enlarged_alike(case: Any) -> None:
-    """By whole numbers, so that corners of the picture remain on a lattice."""
+def test_enlargements_are_translation_invariant(case: Any) -> None:
+    """The translation is integral, so that corners of the picture remain on a lattice."""
     here, there = map(judge_layout, (case.layout, image(case.layout, Fraction(1), 1000, -777)))
     panels, others = (enlarge_faults(j, rank_faults(j)) for j in (here, there))
     assert [panel.svg for panel in others] == [panel.svg for panel in panels]
 
 
-def test_an_overlap_of_1e_30_is_in_sight_where_it_is_enlarged() -> None:
+def test_an_overlap_of_1e_30_is_visible_in_its_enlargement() -> None:
     judgement = judged("far-1e-30")
     (place,) = enlarge_faults(judgement, rank_faults(judgement))
     assert place.caption == "overlap, 0 tile and 1 tile; the picture is 6e-30 wide"
@@ -222,7 +222,7 @@ def test_an_overlap_of_1e_30_is_in_sight_where_it_is_enlarged() -> None:
     assert abs((low + high) - SIDE) < 1
 
 
-def test_mirrored_turned_parts_are_drawn_where_they_are() -> None:
+def test_mirrored_rotated_parts_are_drawn_in_place() -> None:
     layout = find_layout_case("layouts-mirrored").layout
     (ring,) = place_part(layout, 1)
     xs, ys = zip(*ring, strict=True)

@@ -1,4 +1,4 @@
-"""Repairs: a placement moved by `Fault.move` no longer has the fault."""
+"""Repairs: moving a placement by `Fault.move` removes the fault."""
 
 from dataclasses import replace
 from fractions import Fraction
@@ -28,7 +28,7 @@ DEFECTS = [box(18, 12, 22, 16), box(38, 20, 44, 24)]
 
 
 def move_last(layout: Layout, fault: Fault) -> Layout:
-    """The layout of only the placements of a fault, the last one moved by the repair."""
+    """Return the layout with only the placements of a fault, the last one repaired."""
     assert fault.move is not None
     placements = [layout.placements[k] for k in fault.placements]
     (x, y), (dx, dy) = placements[-1].move, fault.move
@@ -69,7 +69,7 @@ def test_a_repair_keeps_the_margin() -> None:
     assert fault.move == Point(Fraction(0), Fraction(-1))
 
 
-def test_the_repair_of_parts_too_close_is_what_is_missing() -> None:
+def test_repairs_add_the_missing_distance() -> None:
     layout = lay(
         box(0, 0, 10, 10), {"t": box(0, 0, 1, 1)}, put("t"), put("t", ("1.25", 0)), spacing=1
     )
@@ -82,7 +82,7 @@ def test_the_repair_of_parts_too_close_is_what_is_missing() -> None:
 
 
 def test_a_repair_of_corners_is_nearly_the_shortest() -> None:
-    # The squares are to be 1 apart, diagonally, which needs sqrt(1/2) - 1/10 in x and in y.
+    # The required diagonal distance is 1, which needs sqrt(1/2) - 1/10 in x and in y.
     tiles = put("t"), put("t", ("1.1", "1.1"))
     layout = lay(box(0, 0, 10, 10), {"t": box(0, 0, 1, 1)}, *tiles, spacing=1)
     (fault,) = judge_layout(layout).faults
@@ -91,7 +91,7 @@ def test_a_repair_of_corners_is_nearly_the_shortest() -> None:
     assert 0.99999 < (length + 0.02**0.5) < 1.005
 
 
-def test_no_repair_is_named_where_nothing_fits() -> None:
+def test_parts_without_a_fit_have_no_repair() -> None:
     layout = lay(box(0, 0, 10, 2), {"t": box(0, 0, 1, 1)}, put("t", (3, 0)), margin="0.6")
     (fault,) = judge_layout(layout).faults
     assert (fault.kind, fault.move) == ("too close", None)
@@ -113,7 +113,7 @@ def test_an_enlarged_part_keeps_the_distance(radius: Fraction) -> None:
     assert len(grown.holes) == (radius < 1)
 
 
-def test_depths_decide_what_is_accepted() -> None:
+def test_faults_are_accepted_by_depth() -> None:
     tiles = {"t": box(0, 0, 1, 1)}
     deep = lay(SHEET, tiles, put("t", (3, 3)), put("t", ("3.999", 3)))
     (fault,) = judge_layout(deep).faults

@@ -1,4 +1,4 @@
-"""Repaired layouts: valid, with the same parts, moved a little; or none."""
+"""Repaired layouts are valid and have the same parts, slightly moved; or there is none."""
 
 import json
 import re
@@ -71,7 +71,7 @@ def test_rounding_noise_in_long_rows_is_repaired_within_a_few_rounds(size: str) 
     assert repaired.longest_squared <= (10 * noise) ** 2
 
 
-def test_a_valid_layout_stays() -> None:
+def test_a_valid_layout_is_unchanged() -> None:
     layout = lay(box(0, 0, 9, 9), {"t": TILE}, put("t"))
     repaired = repair_layout(judge_layout(layout))
     assert repaired is not None
@@ -84,9 +84,9 @@ def test_missing_placements_are_not_repaired() -> None:
     assert repair_layout(judge_layout(missing)) is None
 
 
-def test_a_part_finds_the_nearest_free_place(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_part_moves_to_the_nearest_free_position(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(repaired_module, "_ROUNDS", 2)
-    # The small part lies on the edge between two large ones; next to them there is room.
+    # The small part lies on the edge between two large ones; there is free space next to them.
     parts = {"t": TILE, "s": box(0, 0, 1, 1)}
     layout = lay(box(0, 0, 9, "3.5"), parts, put("t"), put("t", (5, 0)), put("s", ("4.3", 1)))
     repaired = repair_layout(judge_layout(layout))

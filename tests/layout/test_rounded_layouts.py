@@ -236,7 +236,7 @@ def test_comparisons_of_clearances_are_exact() -> None:
                 assert not one.is_less(other)
 
 
-def test_hulls_are_measured_in_all_their_forms() -> None:
+def test_degenerate_hulls_are_measured() -> None:
     square = [(0, 0), (4, 0), (4, 4), (0, 4)]
     cases: list[tuple[Any, Any, Fraction]] = [
         ([(0, 0)], [(0, 0)], Fraction(0)),
@@ -266,7 +266,7 @@ def test_bounds_of_pi_enclose_it() -> None:
 
 
 @pytest.mark.parametrize("near", [Fraction(2), Fraction(1, 10**6), Fraction(1, 10**30)])
-def test_outlines_are_fine_where_they_are_enlarged(near: Fraction) -> None:
+def test_outlines_are_fine_near_enlargements(near: Fraction) -> None:
     center = Point(Fraction(3, 5), Fraction(4, 5))
     ring = list_vertices(RoundedPiece((ORIGIN,), Fraction(1)), center, near)
     assert all(x * x + y * y == 1 for x, y in ring)

@@ -1,4 +1,4 @@
-"""The proved slack of valid layouts: containers that shrink, parts that grow."""
+"""The proved slack of valid layouts: shrinking containers, growing parts."""
 
 from __future__ import annotations
 
@@ -62,7 +62,7 @@ def test_the_shrunk_layout_is_valid_and_cannot_shrink(x: Fraction, y: Fraction) 
 
 
 @pytest.mark.parametrize("turn", ["30", "77.7"])
-def test_irrational_turns_leave_room_for_their_errors(turn: str) -> None:
+def test_irrational_rotations_reduce_the_slack(turn: str) -> None:
     placed = [{"part": "tile", "turn": turn, "move": ["3", "3"]}]
     data = {"container": square(9), "parts": [TILE], "placements": placed}
     found = find_slack(judge_layout(Layout.from_json(data)))

@@ -1,4 +1,4 @@
-"""The cases by hand distinguish the judge from faulty ones with one mistake each."""
+"""The manual cases distinguish the judge from judges with one mistake each."""
 
 import pytest
 from known_layouts import FAULTY, VALID
@@ -21,11 +21,11 @@ def test_the_judge_is_right_in_all_cases() -> None:
 
 
 @pytest.mark.parametrize("mistake", WRONG)
-def test_a_mistake_shows_in_some_case(mistake: str) -> None:
+def test_every_mistake_fails_some_case(mistake: str) -> None:
     judge = WRONG[mistake]
     caught = [
         name for name, (layout, known) in CASES.items() if answers(judge, layout) != sorted(known)
     ]
     assert caught
-    # A plausible mistake, not nonsense.
+    # The mistake must be plausible.
     assert len(caught) < len(CASES) / 2

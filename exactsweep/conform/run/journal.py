@@ -43,10 +43,10 @@ class Journal:
         }
         if path.exists() and not resume:
             raise JournalError(f"{self._name} already exists; continue with --resume, or delete it")
-        with prefix_os_errors(self._path, JournalError), ExitStack() as refused:
-            self._file = refused.enter_context(path.open("a+b"))  # it writes at the end
+        with prefix_os_errors(self._path, JournalError), ExitStack() as on_error:
+            self._file = on_error.enter_context(path.open("a+b"))  # appends
             self._begin(head)
-            refused.pop_all()
+            on_error.pop_all()
 
     def add(self, outcome: Outcome) -> None:
         self._write(outcome.to_json())

@@ -92,14 +92,14 @@ def tangent_pair(random: Prng) -> RingPair:
     top = [random.between(0, 4) for _ in range(width + 1)]
     places = [(random.between(0, 5), random.between(-1, 1)) for _ in range(random.between(2, 4))]
     length = max(x for x, _ in places) + width
-    # Between two integers the mould is straight and above G.
-    mould = []
+    # Between two integers the mold is straight and above G.
+    mold = []
     for x in range(length + 1):
         under = [top[x - at] + rise for at, rise in places if 0 <= x - at <= width]
-        mould.append((x, max(under) if under else random.between(-2, 2)))
-    floor, lid = min(top) - 1, max(y for _, y in mould) + 1
+        mold.append((x, max(under) if under else random.between(-2, 2)))
+    floor, lid = min(top) - 1, max(y for _, y in mold) + 1
     generatrix = [(0, floor), (width, floor), *((x, top[x]) for x in range(width, -1, -1))]
-    return generatrix, [*mould, (length, lid), (0, lid)]
+    return generatrix, [*mold, (length, lid), (0, lid)]
 
 
 def turned_pair(random: Prng) -> RingPair:
