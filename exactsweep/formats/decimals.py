@@ -52,7 +52,6 @@ def read_points(text: str) -> list[Point]:
 
 
 def count_decimals(text: str) -> int:
-    """Count the numbers of `read_decimals` without parsing them."""
     return sum(1 for _ in _DECIMAL.finditer(text))
 
 

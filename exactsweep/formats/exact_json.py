@@ -106,22 +106,7 @@ def read_number(value: object, path: str) -> Fraction:
 
 @explain_type_errors
 def read_certificate(path: str) -> object:
-    """Read a certificate for `exactsweep.check.verify` from a file, or standard input for "-".
-
-    Raises:
-        FormatError: an unreadable file, or not JSON.
-
-    Example:
-        >>> from tempfile import TemporaryDirectory
-        >>> from exactsweep import sweep
-        >>> from exactsweep.check import verify
-        >>> square = [(0, 0), (1, 0), (1, 1), (0, 1)]
-        >>> with TemporaryDirectory() as folder:
-        ...     file = Path(folder, "certificate.json")
-        ...     _ = file.write_text(json.dumps(sweep(square, square).certificate()))
-        ...     verify(read_certificate(str(file))).proved
-        True
-    """
+    """Read a certificate from a file, or from standard input for "-", for `check.verify`."""
     with prefix_errors(show_path(path), FormatError):
         return parse_certificate(read_text(path))
 

@@ -175,8 +175,7 @@ def to_numpy(polygon: Polygon, dtype: str = "object", *, nearest: bool = False) 
         dtype: "object" for Fractions, "int64" or "float64".
         nearest: as for `to_shapely`; only for "float64".
 
-    Raises:
-        FormatError: another dtype, or a coordinate that the dtype cannot represent.
+    Raises FormatError for another dtype, or a coordinate that the dtype cannot represent.
 
     Example:
         >>> to_numpy(Polygon([(0, 0), (1, 0), (0, "1/2")]), "float64").tolist()

@@ -58,8 +58,7 @@ def parse_path(
 def _read_svg_path(text: str, reading: Reading, *, filled: bool) -> Polyline | None:
     """Read an SVG with a single path, open and unfilled unless `filled` is set, else None."""
     from exactsweep.formats.curved import svg
-    from exactsweep.formats.curved.svg_placed import PlacedElement
-    from exactsweep.formats.curved.svg_style import Style, name_kind
+    from exactsweep.formats.curved.svg_placed import PlacedElement, Style, name_kind
     from exactsweep.formats.curved.xml import parse_xml
 
     root = parse_xml(text)

@@ -162,7 +162,6 @@ def read_regions(
 def read_candidates(
     path: str | os.PathLike[str], tolerance: object = None, **options: Unpack[Options]
 ) -> PartList[Candidate]:
-    """Find the polygons in a file, like `read_polygons`, without parsing their numbers."""
     return _read_file(path, _select, tolerance, options)
 
 

@@ -77,7 +77,6 @@ class Path:
         self.points.append(end)
 
     def add(self, other: Path) -> None:
-        """Append a path that begins at or near the last point."""
         shift = len(self.points) - 1
         self.points += other.points[1:]
         self.curves |= {k + shift: drawn for k, drawn in other.curves.items()}

@@ -12,8 +12,7 @@ from exactsweep.formats.curved.affine import Affine
 from exactsweep.formats.curved.join import OpenLine, draw_outline, join_layers
 from exactsweep.formats.curved.path import Path, draw_circle, draw_lines, flatten_together
 from exactsweep.formats.curved.svg_path import Subpaths, read_path
-from exactsweep.formats.curved.svg_placed import PlacedElement
-from exactsweep.formats.curved.svg_style import Style, find_link, name_kind
+from exactsweep.formats.curved.svg_placed import PlacedElement, Style, find_link, name_kind
 from exactsweep.formats.curved.xml import line
 from exactsweep.formats.decimals import count_decimals, read_decimal, read_points
 from exactsweep.formats.depth import nest_lines

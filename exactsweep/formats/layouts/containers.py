@@ -145,7 +145,6 @@ def _find_enclosing(
 
 
 def _is_copy(one: Candidate, other: Candidate) -> bool:
-    """Return whether two outlines have the same layer, edges and error."""
     alike = one.layer == other.layer and one.error == other.error
     return alike and _list_edges(one) == _list_edges(other)
 
@@ -163,7 +162,6 @@ def _overlap(one: _BoundingBox, other: _BoundingBox) -> bool:
 
 
 def _contains_center(sheet: _BoundingBox, box: _BoundingBox) -> bool:
-    """Return whether the center of a box is in a sheet."""
     left, low, right, high = sheet
     west, south, east, north = box
     return 2 * left <= west + east <= 2 * right and 2 * low <= south + north <= 2 * high

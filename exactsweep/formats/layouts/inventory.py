@@ -50,7 +50,6 @@ class WantedPart(NamedTuple):
 
 
 def read_inventory(path: str, reading: Reading) -> list[WantedPart]:
-    """Read the parts in a file, folder or pattern, merging congruent ones."""
     listing = list_parts([path], reading.tolerance, **(reading.options | {"nested": True}))
     found: list[WantedPart] = []
     names = make_unique([part.name for part in listing.parts])

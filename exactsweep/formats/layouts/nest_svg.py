@@ -15,8 +15,7 @@ from collections.abc import Iterable, Iterator, Mapping
 from xml.etree.ElementTree import Element
 
 from exactsweep.formats.curved.svg import DRAWN, SHAPES, explain_hidden, read_svg
-from exactsweep.formats.curved.svg_placed import PlacedElement
-from exactsweep.formats.curved.svg_style import Style, find_link, name_kind
+from exactsweep.formats.curved.svg_placed import PlacedElement, Style, find_link, name_kind
 from exactsweep.formats.curved.xml import line
 from exactsweep.formats.decimals import DECIMAL, read_decimal
 from exactsweep.formats.depth import nest_candidates
