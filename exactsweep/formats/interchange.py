@@ -52,7 +52,7 @@ def from_shapely(geometry: shapely.Polygon) -> AnyPolygon:
 
 @explain_type_errors
 def parts_from_shapely(geometries: Iterable[shapely.Geometry]) -> PartList[NamedRegion]:
-    """Convert all polygons in shapely geometries to separate parts.
+    """Convert all polygons in shapely geometries; raises FormatError if there are none.
 
     Args:
         geometries: a MultiPolygon or a collection, several geometries, or a geopandas GeoSeries,
@@ -60,7 +60,6 @@ def parts_from_shapely(geometries: Iterable[shapely.Geometry]) -> PartList[Named
 
     Returns:
         A PartList of NamedRegion, in order; `left_out` lists elements that are not polygons.
-        Raises FormatError if there is no valid polygon.
 
     Example:
         >>> import shapely

@@ -1,6 +1,6 @@
 """Bezier curves and elliptical arcs, with rational points on a decimal grid.
 
-A *parameter* is a parameter from 0 to 1 in units of 2**-30.
+Parameters are integers from 0 to 2**30, which stand for the interval from 0 to 1.
 
 (1) Between parameters at distance h, a curve C and its chord differ by at most h**2 / 8 * max |C''|
     (linear interpolation).

@@ -83,7 +83,7 @@ def read_layouts(path: str, **options: Unpack[LayoutOptions]) -> list[model.Foun
         options: as for `exactsweep.formats.parse_polygons`.
 
     Returns:
-        A list of model.FoundLayout, one per sheet.
+        A list of FoundLayout, one per sheet.
 
     Raises:
         FormatError: not a layout; the message gives the file and the location.
