@@ -1,13 +1,13 @@
 """Compare answers with a reference on many random inputs: `python -m tests.campaign NAME`.
 
-NAME says what is drawn. Pairs: `monotone` (every degeneracy on purpose, placed anywhere), `small`
-(small ints, of all classes, most of them bred from another), `shapes` (any shapes with holes),
-`touching` (Regions whose rings touch), `around` (containers with defects, and parts whose holes may
-go around these). `layouts` are whole layouts with their judgements, `scenes` containers with placed
-shapes and the free positions of a part, `rounded` drawn discs, slots and rounded rectangles near
-contact, `packings` layouts of these with their certificates. A `random.Random` of its own, seeded
-with "SEED:NUMBER", draws input NUMBER: a failing one comes again with `--seed SEED --first NUMBER
---count 1`.
+NAME selects the inputs. Pairs: `monotone` (with all degeneracies, placed anywhere), `small` (small
+ints, all classes, mostly mutated from others), `shapes` (any shapes with holes), `touching`
+(Regions whose rings touch), `around` (containers with defects, and parts whose holes may enclose
+these).
+`layouts` are whole layouts with their judgements; `scenes` are containers with placed shapes, and
+the free positions of a part; `rounded` are discs, slots and rounded rectangles near contact;
+`packings` are layouts of these with certificates. Input NUMBER depends only on "SEED:NUMBER", so
+`--seed SEED --first NUMBER --count 1` reproduces a failure.
 """
 
 import os
@@ -43,8 +43,8 @@ from small_pairs import SmallPair, shares_direction, shrink
 from exactsweep.corpus import Case
 from exactsweep.corpus.case_json import case_to_line
 
-SHAPELESS_SHARE = 5  # a fifth of the pairs
-TOGETHER = 100  # inputs that a process is given at once
+SHAPELESS_SHARE = 5  # one in five pairs
+TOGETHER = 100  # inputs per task
 
 
 def draw_monotone(rng: Random, names: Sequence[str] = families.FAMILIES) -> SmallPair:
@@ -78,7 +78,7 @@ def name_class(pair: SmallPair) -> str:
 
 
 class Compared(NamedTuple):
-    """The class of an input, and what differs from the reference, or nothing."""
+    """The class of an input, and a difference from the reference, if there is one."""
 
     kind: str
     failure: str
@@ -134,12 +134,12 @@ def by_definition(name: str, seed: int, numbers: range) -> list[Compared]:
 
 
 def find_failures(name: str, seed: int, numbers: range) -> list[str]:
-    """List what differs from the definition."""
+    """List inputs that differ from the definition."""
     return [failure for _, failure in by_definition(name, seed, numbers) if failure]
 
 
 def by_sfcgal(name: str, seed: int, numbers: range) -> list[Compared]:
-    """Compare pairs with SFCGAL, an unrelated program, in all but exact fits."""
+    """Compare pairs, except for exact fits, with SFCGAL, an independent program."""
     pairs = [STRATEGIES[name].draw(seeded(seed, number)) for number in numbers]
     said = ask_sfcgal([case_of(pair) for pair in pairs])
     return [Compared(name_class(pair), line) for pair, line in zip(pairs, said, strict=True)]
@@ -183,7 +183,7 @@ def ask_sfcgal(cases: Sequence[Case]) -> Iterator[str]:
 
 
 def describe(name: str, seed: int, number: int, failure: str) -> str:
-    """Describe a failing input, and of a pair a shrunken one."""
+    """Describe a failing input; pairs are shrunk."""
     drawn = STRATEGIES[name].draw(seeded(seed, number))
     found = f"{name} {seed}:{number}: {failure}\n    "
     if not isinstance(drawn, SmallPair):

@@ -1,8 +1,8 @@
 """Compare the two checkers: `python -m tests.compare_checkers`.
 
-Certificates of random pairs and layouts, true ones and changed ones, are given to `standalone.py`
-and to the checker that is extracted from the proof in Coq. With --weaken, one side of each
-conjunction of the extracted checker is dropped, and claims are searched whose answer changes.
+`standalone.py` and the checker extracted from the proof in Coq check certificates of random pairs
+and layouts, true and changed ones. With --weaken, one side of each conjunction of the extracted
+checker is dropped, and a search looks for claims whose answer changes.
 """
 
 from __future__ import annotations
@@ -29,7 +29,7 @@ sys.path.insert(0, str(Path(__file__).parent / "support"))
 from falsify import LAYOUTS, ROUNDED, SHAPES, SUMS, change, mix
 from weakened_coq import weaken
 
-# Reasons of `standalone.py` that concern the form of a certificate: `theorem/` reads more forms.
+# Reasons of `standalone.py` that concern the form of a certificate; `theorem/` reads more forms.
 FORM = re.compile(
     "not an? |lowest terms|neither true nor false|id missing|duplicate|below 0|unknown part"
     "|repeated point|fewer than three|not rounded pieces alone|no pieces|unit circle"
@@ -37,7 +37,7 @@ FORM = re.compile(
 
 
 def draw(rng: Random, changes: int) -> Iterator[tuple[str, Any]]:
-    """Draw certificates and changes of them; yield each with a name for what was changed."""
+    """Draw certificates and changes of them; yield each with the name of the change."""
     family = rng.choice([SHAPES, SHAPES, SUMS, LAYOUTS, ROUNDED])
     known = list(family.draw(rng))
     for one in known:

@@ -23,8 +23,8 @@ for name in ("COLUMNS", "LINES", "TERM", "FORCE_COLOR", "NO_COLOR"):
 os.environ.pop("PYTHONDONTWRITEBYTECODE", None)
 
 settings.register_profile("fresh", deadline=None, suppress_health_check=[HealthCheck.too_slow])
-# The same examples at every run: a change fails by itself, never by the luck of a draw. Campaigns
-# and `pytest --hypothesis-profile fresh` draw new ones; the long run has four times as many.
+# All runs have the same examples, so that failures never depend on chance. Campaigns and
+# `pytest --hypothesis-profile fresh` draw new ones; the long run has four times as many.
 settings.register_profile("many", settings.get_profile("fresh"), derandomize=True, database=None)
 settings.register_profile("few", settings.get_profile("many"), max_examples=25)
 settings.load_profile("few")
@@ -39,7 +39,7 @@ def pytest_collection() -> Iterator[None]:
     finally:
         gc.freeze()
         gc.enable()
-        # Most of the time of the collector goes into the corpus and golden data, which stay.
+        # The collector would spend most of its time on the corpus and golden data.
         gc.set_threshold(100_000, 50, 50)
 
 
@@ -51,7 +51,7 @@ def pytest_sessionfinish() -> None:
 
 @pytest.fixture(scope="session")
 def browser() -> Iterator[Any]:
-    """Debian's Chromium with one context; without a Chromium, the test is skipped."""
+    """Debian's Chromium with one context; without Chromium, the test is skipped."""
     playwright = pytest.importorskip("playwright.sync_api", reason="playwright is not installed")
     chromium = shutil.which("chromium") or shutil.which("google-chrome")
     if chromium is None:

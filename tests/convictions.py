@@ -12,7 +12,7 @@ from typing import Any, NamedTuple
 
 import click
 
-# As in tests that pytest sets up.
+# The import path under pytest.
 sys.path.insert(0, str(Path(__file__).parent / "support"))
 
 from mistakes import MISTAKES, Mistake
@@ -29,7 +29,7 @@ from exactsweep.numbers.number import to_fraction
 
 
 def list_cases() -> list[Case]:
-    """The shipped cases, small ones first, and two that are larger than these."""
+    """List the shipped cases, small ones first, and two larger ones."""
     square = [(0, 0), (3, 0), (3, 3), (0, 3)]
     rounds = {n: [(k, k * k) for k in range(n)] for n in (60, 300)}
     own = [
@@ -46,18 +46,18 @@ class Judged(NamedTuple):
     found: Comparison
 
     def list_sayings(self) -> list[str]:
-        """List the reasons, kinds and diagnoses in the comparison."""
+        """List the reasons, kinds and diagnoses in a comparison."""
         parts = self.found.parts
         return [self.found.reason, *(w for p in parts for w in (p.reason, p.kind, *p.diagnosis))]
 
     def is_right(self, mistake: Mistake) -> bool:
-        """Decide whether the verdict is right, and the mistake is named."""
+        """Decide whether the verdict is right and names the mistake."""
         is_named = any(re.search(mistake.says, words) for words in self.list_sayings())
         return self.found.verdict in mistake.verdicts and is_named
 
 
 def judge_wrong_answers(name: str, cases: Iterable[Case]) -> Iterator[Judged]:
-    """Judge exact answers changed by a mistake."""
+    """Judge exact answers after a mistake has changed them."""
     mistake = MISTAKES[name]
     hello, promised = mistake.hello, LOOPS if mistake.part == "trajectory" else ()
     for case in cases:
@@ -73,7 +73,7 @@ def judge_wrong_answers(name: str, cases: Iterable[Case]) -> Iterator[Judged]:
 
 
 def is_same(answer: dict[str, Any], exact: dict[str, Any]) -> bool:
-    """Decide without the judge whether an answer is right, in any spelling."""
+    """Decide without the judge whether an answer is right, in any notation."""
     try:
         return {name: _forget_order(name, answer[name]) for name in exact} == {
             name: _forget_order(name, rings) for name, rings in exact.items()
@@ -89,7 +89,7 @@ def _forget_order(name: str, rings: Any) -> Any:
 
 
 def is_near(case: Case, answer: Any, exact: dict[str, Any]) -> bool:
-    """Decide whether the vertices of an answer in floats are within the granted error."""
+    """Decide whether the vertices of an answer in floats are within the permitted error."""
     return all(
         abs(to_fraction(a) - b)
         < grant_rounding(case, name, read_loop(answer[name], ""), "binary64")

@@ -1,8 +1,7 @@
 """Try mutants of packages or modules: `python -m tests.mutants PACKAGE...`.
 
-mutmut makes the mutants and runs the tests of the package in a copy of the project; whatever else
-notices them is named by --tests. A line that may change unnoticed ends with
-`# pragma: no mutate`, and says why.
+mutmut creates the mutants and runs the tests of the package in a copy of the project; --tests adds
+tests. A line whose change no test needs to detect ends with `# pragma: no mutate` and a reason.
 """
 
 import shutil
@@ -39,7 +38,7 @@ NOTICED = ("killed", "timeout", "segfault", "suspicious")
 
 
 def find_files(package: str) -> list[str]:
-    """The modules of a package, or the one module that is named."""
+    """List the modules of a package, or a single named module."""
     path = ROOT / "exactsweep" / package
     found = sorted(path.rglob("*.py")) if path.is_dir() else [path.with_suffix(".py")]
     if not found or not found[0].exists():
@@ -48,21 +47,21 @@ def find_files(package: str) -> list[str]:
 
 
 def find_tests(package: str) -> str:
-    """The folder of the tests of a package."""
+    """Return the folder with the tests of a package."""
     name = package.split("/")[0].removesuffix(".py")
     folder = ELSEWHERE.get(name, f"tests/{name}")
     return folder if (ROOT / folder).is_dir() else "tests"
 
 
 def write_settings(packages: tuple[str, ...], tests: tuple[str, ...]) -> str:
-    """The settings of mutmut for packages or modules."""
+    """Write the settings of mutmut for packages or modules."""
     only = [file for package in packages for file in find_files(package)]
     selected = tests or tuple(dict.fromkeys(map(find_tests, packages)))
     return SETTINGS.format(only="\n    ".join(only), tests="\n    ".join(selected))
 
 
 def read_results(text: str) -> dict[str, str]:
-    """The status of each mutant, as `mutmut results` prints them."""
+    """Read the status of each mutant from the output of `mutmut results`."""
     lines = (line.strip().rpartition(": ") for line in text.splitlines())
     return {name: status for name, _, status in lines if name}
 

@@ -1,9 +1,9 @@
 """Break the kernel, and list the failing rows of the ledger.
 
-Run `python -m tests.mutations` for all of it. The sabotages are in `support/`: wrong answers of the
-paper's procedures (`wrong_answers.py`, and `wrong_rarely.py` for those that few pairs show) and of
-the evidence (`wrong_evidence.py`), right ones that take too long or too much memory
-(`wrong_costs.py`), and wrong answers for polygons of any shape (`wrong_shapes.py`).
+`python -m tests.mutations` tries all faults, which are in `support/`: wrong answers of the paper's
+procedures (`wrong_answers.py`, and `wrong_rarely.py` for faults that few pairs reveal) and of the
+evidence (`wrong_evidence.py`), right answers that take too much time or memory (`wrong_costs.py`),
+and wrong answers for polygons of any shape (`wrong_shapes.py`).
 """
 
 import sys

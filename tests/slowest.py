@@ -1,7 +1,7 @@
 """Search for the slowest certificates of 100 kB: `python -m tests.slowest`.
 
-The checker promises an end within half a minute and a gigabyte. Files of every kind are drawn, and
-the slowest one is changed as long as that makes it slower.
+The checker must end within half a minute and a gigabyte. The search draws files of every kind, and
+changes the slowest one as long as that makes it slower.
 """
 
 from __future__ import annotations
@@ -59,7 +59,7 @@ def polygon(count: int, x: Any = 0) -> list[tuple[Any, Any]]:
 
 
 def crowd(n: int, digits: int) -> Certificate:
-    """A loop whose boxes are all in one cell: it is tiny, and the shapes are large."""
+    """A tiny loop of large shapes, so that all boxes are in a single cell."""
     den = max(2 * n + 3, 10**digits)
     teeth = [(Fraction(1, den), Fraction(1, 3)), (Fraction(2 * n + 1, den), Fraction(1, 3))]
     for k in range(n, 0, -1):
@@ -85,7 +85,7 @@ def strips(n: int, digits: int) -> Certificate:
 
 
 def corners(n: int, digits: int) -> Certificate:
-    """Two pieces of many corners, and a long fan of edges around their sum."""
+    """Two pieces with many corners, and a long fan of edges around their sum."""
     one = polygon(n // 2 + 3)
     d = {"exterior": write(one)}, [write(one)]
     size = n * n + 10**digits
@@ -99,7 +99,7 @@ def corners(n: int, digits: int) -> Certificate:
 
 
 def slices(n: int, digits: int) -> Certificate:
-    """Slices along a diagonal, whose boxes overlap, of many corners."""
+    """Slices with many corners along a diagonal, whose boxes overlap."""
     wide = max(2, digits)
     lines = [[(k + j, j * j * (2 if k else 1)) for j in range(wide)] for k in range(2)]
     ring = write(lines[1] + lines[0][::-1])
@@ -114,7 +114,7 @@ def slices(n: int, digits: int) -> Certificate:
 
 
 def islands(n: int, digits: int) -> Certificate:
-    """Pieces that have no vertex in common, and a loop of many edges."""
+    """Pieces without common vertices, and a loop of many edges."""
     squares = [[(3 * k, 0), (3 * k + 1, 0), (3 * k + 1, 1), (3 * k, 1)] for k in range(n)]
     shape = {"exterior": write([p for ring in squares for p in (*ring, ring[0])])}
     teeth = [(9 * n - k, 9 + (k % 2) * digits) for k in range(3 * n)]
@@ -131,7 +131,7 @@ def fits_in_a_cell(n: int, digits: int) -> Certificate:
 
 
 def chains(n: int, digits: int) -> Certificate:
-    """One entry whose chains name sums or edges of many sides again and again."""
+    """An entry whose chains refer repeatedly to sums or edges with many sides."""
     one = write(polygon(max(3, digits * 20)))
     d = {"exterior": one}, [one]
     far = 10**6
@@ -144,7 +144,7 @@ def chains(n: int, digits: int) -> Certificate:
 
 
 def long_numbers(n: int, digits: int) -> Certificate:
-    """Long denominators, and chains that name them often."""
+    """Long denominators, and chains that refer to them often."""
     den = 10 ** (digits * 40)
     d = [(Fraction(1, den + 1), Fraction(1, den + 3)), (Fraction(den, den + 7), 0), (0, 1)]
     shape = {"exterior": write(d)}, [write(d)]
@@ -166,7 +166,7 @@ def zigzags(n: int, digits: int) -> Certificate:
 
 
 def denominators(n: int, digits: int) -> Certificate:
-    """Pieces of many points, each with a denominator of its own."""
+    """Pieces of many points, each with a different denominator."""
     points = [(k + Fraction(1, 10**digits + 2 * k + 1), Fraction(k * k)) for k in range(n)]
     one = write(points)
     d = {"exterior": one}, [one]
@@ -180,7 +180,7 @@ def denominators(n: int, digits: int) -> Certificate:
 
 
 def holes(n: int, digits: int) -> Certificate:
-    """A region of many holes, in a container that is the frame."""
+    """A region with many holes, with the frame as container."""
     ring, far = rectangle(0, 0, 9 * n, 9 * n), 9 * n - 1
     hole = [write([(3 * k + 1, 1), (3 * k + 2, 1), (3 * k + 1, 1 + digits)]) for k in range(n)]
     frame = ["0", "0", str(9 * n), str(9 * n)]
@@ -225,7 +225,7 @@ def faults(n: int, digits: int) -> Certificate:
 
 
 def turned(n: int, digits: int) -> Certificate:
-    """Placements, each at a rotation of its own, of a part whose points have long denominators."""
+    """Placements at different rotations of a part whose points have long denominators."""
     points = [(k + Fraction(1, 10**digits + 2 * k + 1), Fraction(k * k)) for k in range(40)]
     placed = [{"part": "a", "move": ["500000", str(500 + 2 * k)]} for k in range(n)]
     found = layout([{"id": "a", "exterior": write(points)}], placed, [[write(points)]])
@@ -268,7 +268,7 @@ KINDS: Mapping[str, Callable[[int, int], Certificate]] = {
 
 
 def fill(kind: str, digits: int, share: float = 1.0) -> Certificate:
-    """Make a file of a kind as large as may be, or a share of that."""
+    """Make a file of the maximum size, or of a share of it."""
     low, high = 3, 40_000
     while high - low > max(1, low // 50):
         middle = (low + high) // 2
@@ -278,7 +278,7 @@ def fill(kind: str, digits: int, share: float = 1.0) -> Certificate:
 
 
 def measure(certificate: Certificate) -> tuple[float, str]:
-    """Return the processor time that the checker takes, and how it ends."""
+    """Return the processor time and the outcome of the checker."""
     start = time.process_time()
     try:
         verdict = prove(certificate)
@@ -288,7 +288,7 @@ def measure(certificate: Certificate) -> tuple[float, str]:
 
 
 def search(kind: str, seconds: float, rng: Random) -> tuple[float, str]:
-    """Look for the slowest file of a kind; return its time and its name."""
+    """Search for the slowest file of a kind; return its time and name."""
     found: tuple[float, str] = (0.0, "")
     digits, share, end = 1, 1.0, time.process_time() + seconds
     while time.process_time() < end:
@@ -308,7 +308,7 @@ def search(kind: str, seconds: float, rng: Random) -> tuple[float, str]:
 @click.option("--seed", default=1, show_default=True)
 @click.argument("kinds", nargs=-1, type=click.Choice(sorted(KINDS)))
 def main(seconds: float, seed: int, kinds: tuple[str, ...]) -> None:
-    """Look for the slowest certificate of each kind, and exit with 1 if one is too slow."""
+    """Search for the slowest certificate of each kind; exit with 1 if one is too slow."""
     slowest = 0.0
     sys.set_int_max_str_digits(0)
     for kind in kinds or KINDS:

@@ -1,4 +1,4 @@
-"""The command that runs mutmut: its choice of modules and tests, its reading of the output."""
+"""The command that runs mutmut selects modules and tests, and reads the output."""
 
 import click
 import mutants

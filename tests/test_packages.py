@@ -103,7 +103,7 @@ def arrows() -> dict[str, set[str]]:
 
 
 def circle(graph: dict[str, set[str]]) -> list[str]:
-    """Return a circle of a graph; empty if there is none."""
+    """Return a cycle of a graph; empty if there is none."""
     try:
         TopologicalSorter(graph).prepare()
     except CycleError as error:
@@ -116,13 +116,13 @@ def test_imports_are_allowed() -> None:
     assert not complaints, "\n".join(complaints)
 
 
-def test_modules_have_no_circle() -> None:
+def test_modules_have_no_import_cycle() -> None:
     # Modules of a package do not import its __init__, which imports them.
     found = circle(arrows())
     assert not found, " -> ".join(found)
 
 
-def test_packages_have_no_circle() -> None:
+def test_packages_have_no_import_cycle() -> None:
     graph: dict[str, set[str]] = {}
     for name, seen in arrows().items():
         package = rule_of(name)
@@ -147,7 +147,7 @@ def test_forbidden_imports_have_a_reason(module: str, source: str, complaint: st
     assert complaint in line
 
 
-def test_circles_are_found() -> None:
+def test_cycles_are_found() -> None:
     assert {*circle({"a": {"b"}, "b": {"c"}, "c": {"b"}})} == {"b", "c"}
 
 
@@ -174,12 +174,12 @@ def named_types(source: str) -> Iterator[str]:
         if isinstance(node, ast.Assign | ast.AnnAssign):
             targets = node.targets if isinstance(node, ast.Assign) else [node.target]
             names = [ast.unparse(target).lstrip("_") for target in targets]
-            # Constants are in capitals; what holds a value of a type is in small letters.
+            # Constants are in capitals, variables in small letters.
             yield from (name for name in names if name[:1].isupper() and not name.isupper())
 
 
 def namesakes(sources: Iterable[tuple[str, str]]) -> dict[str, list[str]]:
-    """The names that more than one type has, each with the modules; of pairs module, source."""
+    """Return the names shared by several types, each with the modules."""
     homes: dict[str, list[str]] = {}
     for module, source in sources:
         for name in named_types(source):
@@ -210,7 +210,7 @@ HEADING = re.compile(r"([A-Z]\w+):(\s|$)")
 
 
 def misplaced(docstring: str) -> str:
-    """The first line of a docstring that is out of order or unknown."""
+    """Return the first line of a docstring that is out of order or unknown."""
     ranks = {name: rank for rank, names in enumerate(ORDER) for name in names}
     ranks[EXAMPLE] = len(ORDER)
     reached = 0

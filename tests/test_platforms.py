@@ -40,11 +40,11 @@ def test_benchmarks_start_without_accounting_of_ended_processes(
         monkeypatch.delitem(sys.modules, name, raising=False)
     batches = importlib.import_module("benchmarks.batches")
     assert importlib.import_module("benchmarks.clock").peak
-    with pytest.raises(ClickException, match=r"is told by POSIX systems only$"):
+    with pytest.raises(ClickException, match=r"is only available on POSIX systems$"):
         next(batches.tabulate(workers=1, quick=True))
 
 
-def test_the_metadata_fits_together() -> None:
+def test_the_metadata_is_consistent() -> None:
     assert PROJECT["version"] == __version__
     assert PROJECT["requires-python"] == ">=3.11"
     versions = [c.rsplit(" ", 1)[1] for c in PROJECT["classifiers"] if ":: Python :: 3." in c]

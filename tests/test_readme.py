@@ -1,4 +1,4 @@
-"""READMEs: their examples run, their names exist, their figures hold.
+"""READMEs: examples run, names exist, figures are correct.
 
 Python examples run as doctests, README by README, by pytest itself.
 """
@@ -85,7 +85,7 @@ def test_imported_names_are_exported() -> None:
 
 
 def lines_drawn(path: Path) -> list[tuple[str, list[tuple[float, float]]]]:
-    """The lines of a picture by matplotlib, with their styles, as parts of its frame."""
+    """List the lines of a matplotlib picture with their styles, relative to its frame."""
     axes = next(
         group for group in ElementTree.parse(path).iter(f"{SVG}g") if group.get("id") == "axes_1"
     )
@@ -112,7 +112,7 @@ def lines_drawn(path: Path) -> list[tuple[str, list[tuple[float, float]]]]:
 
 
 def test_the_picture_of_the_readme_is_up_to_date(tmp_path: Path) -> None:
-    # Not the bytes, which change with matplotlib's layout of the legend.
+    # The bytes depend on matplotlib's layout of the legend.
     figure = make_figure()
     plot_sweep(EXAMPLE, figure.axes[0])
     save(figure, str(tmp_path / "block.svg"))
@@ -149,7 +149,7 @@ def test_the_counts_of_claims_and_cases_hold() -> None:
 
 
 @pytest.mark.long
-def test_the_campaigns_begin() -> None:
+def test_the_campaigns_start() -> None:
     names = {*re.findall(r"python -m (tests\.\w+)", TEXTS["tests/README.md"])}
     assert len(names) >= 4
     for name in names:

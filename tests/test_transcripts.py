@@ -5,7 +5,7 @@ from pathlib import Path
 import pytest
 from transcripts import list_transcripts, replay
 
-# Each takes seconds.
+# These take seconds each.
 LONG = {"conform", "compare", "draw", "layouts"}
 
 

@@ -33,7 +33,7 @@ CASE = case_to_json(Case.of("mine", "", BLOCK, HOUSE))
 
 
 class Here:
-    """Computes a batch in this process, where calls can be followed."""
+    """A pool that computes a batch in this process, so that calls can be traced."""
 
     count = 1
     lost = ()
@@ -49,7 +49,7 @@ class Here:
 
 
 def make_trajectory(folder: Path) -> object:
-    # As if these were never swept before.
+    # Empty the caches, as before a first sweep.
     monotone.split_polygon.cache_clear()
     return sweep(HOUSE, BLOCK).trajectory
 
@@ -67,7 +67,7 @@ def judge(folder: Path) -> object:
 
 
 def report(folder: Path) -> object:
-    # A seed that no other test has: pairs that are known are not looked up again.
+    # No other test has this seed: the loops of known pairs are cached.
     return [render_row(row) for row in reproduce([find("Lemma 3.2")], Effort(271828, quick=True))]
 
 
@@ -93,8 +93,8 @@ WALKS: dict[str, Callable[[Path], object]] = {
 }
 
 
-def tell_walks() -> dict[str, list[Step]]:
-    """The steps of each walk in PROJECT.md: file and name."""
+def list_walks() -> dict[str, list[Step]]:
+    """Return the steps of each walk in PROJECT.md as pairs of file and name."""
     text = (PACKAGE / "PROJECT.md").read_text(encoding="utf-8")
     listed = text.split("## Six walks through the code")[1].split("\n## ")[0]
     parts = re.split(r"^### (.*)$", listed, flags=re.M)[1:]
@@ -129,8 +129,8 @@ def find_misstep(listed: list[Step], seen: list[Step]) -> Step | None:
 
 
 def test_walks_of_the_page_are_current() -> None:
-    assert tell_walks().keys() == WALKS.keys()
-    assert all(len(steps) > 6 for steps in tell_walks().values())
+    assert list_walks().keys() == WALKS.keys()
+    assert all(len(steps) > 6 for steps in list_walks().values())
 
 
 @pytest.mark.parametrize(
@@ -139,7 +139,7 @@ def test_walks_of_the_page_are_current() -> None:
 def test_calls_take_the_walk(title: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(workers, "LocalProcesses", Here)
     seen = follow(WALKS[title], tmp_path)
-    assert find_misstep(tell_walks()[title], seen) is None
+    assert find_misstep(list_walks()[title], seen) is None
 
 
 def test_missteps_are_found() -> None:

@@ -1,4 +1,4 @@
-"""The list of words of `wording.toml` holds for all files that are not exempt."""
+"""Files that are not exempt avoid the words in `wording.toml`."""
 
 import pytest
 from wording import LIST, find_in, find_words, list_files

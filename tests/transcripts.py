@@ -1,10 +1,9 @@
 """Transcripts of commands, with what they write; `python -m tests.goldens` rewrites them.
 
-A transcript is a text file in a folder `transcripts`. A line of it that begins with "$ " is a
-command of a shell: exactsweep, cat, echo or python, and maybe `<<< TEXT`, `< FILE` or `> FILE`.
-Below it stands, indented, what the command wrote: lines of standard error after "! ", and the
-exit code after "= ", unless it is 0. All other lines are comments. Dots stand for the common point
-of an overlap.
+A transcript is a text file in a folder `transcripts`. A line that begins with "$ " is a shell
+command: exactsweep, cat, echo or python, optionally with `<<< TEXT`, `< FILE` or `> FILE`. The
+indented lines below it are its output: "! " precedes standard error, and "= " the exit code unless
+it is 0. All other lines are comments. Dots stand for the witness of an overlap.
 """
 
 from __future__ import annotations
@@ -32,7 +31,7 @@ def list_transcripts() -> list[Path]:
 
 
 def replay(transcript: str) -> str:
-    """Run the commands of a transcript in the working directory, and return what it should be."""
+    """Run the commands of a transcript in the working directory; return the current transcript."""
     lines: list[str] = []
     for line in transcript.splitlines():
         if line.startswith("$ "):

@@ -1,4 +1,4 @@
-"""Words that the project avoids: `python tests/wording.py FOLDER...` lists them with their lines.
+"""Words to avoid: `python tests/wording.py FOLDER...` lists them with their lines.
 
 Module `test_wording` requires that there are none. Words count in Markdown outside of code, and
 in comments, strings and names of sources. Strings of tests are data, except docstrings.
@@ -47,7 +47,7 @@ def find_words(
         strings: whether strings count that are not docstrings.
     """
     for line, prose in _list_pages(text) if suffix == ".md" else _list_tokens(text, strings):
-        # A phrase may go on in the next line.
+        # A phrase may continue in the next line.
         flat = re.sub(r"\s*\n\s*#?\s*", lambda gap: " " * len(gap[0]), prose)
         flat = re.sub(r"(?<=\S) {2,}(?=\S)", " ", flat)
         for match in _LISTED.finditer(flat):
@@ -91,7 +91,7 @@ def find_in(name: str, path: Path) -> list[tuple[int, str]]:
     """Find the words in a file of the project."""
     text = path.read_text(encoding="utf-8")
     if not _LISTED.search(re.sub(r"[_\s#]+", " ", _split_names(text))):
-        return []  # before the text is cut into tokens, which takes longer
+        return []  # splitting the text into tokens takes longer
     return [*find_words(text, path.suffix, strings=name.startswith("exactsweep"))]
 
 

@@ -1,4 +1,4 @@
-"""`python -m tests.writings`: right answers in all spellings, over the whole corpus."""
+"""`python -m tests.writings`: right answers in all notations, over the whole corpus."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ from exactsweep.corpus import cases
 @click.option("--most", type=int, help="The most vertices of a case; any if left out.")
 @click.option("--only", type=click.Choice([*WRITINGS]), multiple=True)
 def main(most: int | None, only: tuple[str, ...]) -> None:
-    """Judge right answers in all spellings, and list the convicted ones.
+    """Judge right answers in all notations, and list those that are rejected.
 
     The exit code is 1 if there is one.
     """

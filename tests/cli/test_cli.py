@@ -34,7 +34,7 @@ UNREAD = "while (echo) 2>&-; do :; done"
     ],
     ids=range(9),
 )
-def test_bad_input_is_refused_in_one_line(tmp_path: Path, content: bytes, message: str) -> None:
+def test_bad_input_is_reported_in_one_line(tmp_path: Path, content: bytes, message: str) -> None:
     path = tmp_path / "bad.txt"
     path.write_bytes(content)
     assert refusal(run("sweep", str(path), NOTCH)).startswith(f"{path}: {message}")
@@ -78,7 +78,7 @@ def test_bad_input_is_refused_in_one_line(tmp_path: Path, content: bytes, messag
         ("PYTHONIOENCODING=ascii exactsweep sweep >/dev/null", 0, ""),
     ],
 )
-def test_broken_streams_give_one_line_of_error(command: str, code: int, message: str) -> None:
+def test_broken_streams_are_reported_in_one_line(command: str, code: int, message: str) -> None:
     done = shell(command)
     assert (done.returncode, done.stdout, done.stderr) == (code, "", message)
 
@@ -130,7 +130,7 @@ def test_commands_import_only_their_modules(code: str, absent: set[str]) -> None
     assert done.stdout.endswith("found:")
 
 
-def test_a_piped_report_is_never_wrapped_and_long_numbers_are_on_request() -> None:
+def test_a_piped_report_is_not_wrapped_and_has_long_numbers_on_request() -> None:
     digits = 3000 * "7"
     result = sweep([(0, 0), (1, 0), (0, 1)], [(0, 0), (digits, 0), (0, 2)])
     lines = report(result).splitlines()
@@ -161,7 +161,7 @@ def test_the_module_is_the_command() -> None:
 
 @pytest.mark.parametrize("before", ["", "sweep --", "reproduce ", "reproduce --seed ", "judge "])
 @pytest.mark.parametrize("word", ["x" * 5000, "x " * 2500])
-def test_long_words_are_shortened_in_refusals(before: str, word: str) -> None:
+def test_long_words_are_shortened_in_errors(before: str, word: str) -> None:
     *given, last = f"{before}{word}".split(" ", before.count(" "))
     done = run(*given, last)
     assert done.exit_code > 0

@@ -34,7 +34,7 @@ def on_a_terminal(command: str) -> str:
     )
     os.close(terminal)
     shown = b""
-    # Linux ends a terminal without other users by an error.
+    # On Linux, reading from a terminal without other users ends with an error.
     with contextlib.suppress(OSError):
         while piece := os.read(end, 4096):
             shown += piece
@@ -43,7 +43,7 @@ def on_a_terminal(command: str) -> str:
     return shown.decode()
 
 
-def test_a_long_story_pages_on_a_terminal_and_a_short_one_has_bold_words() -> None:
+def test_a_long_explanation_is_paged_and_a_short_one_has_bold_words() -> None:
     assert on_a_terminal("explain").startswith("page:Class CM")
     shown = on_a_terminal("sweep")
     assert "page:" not in shown
@@ -56,9 +56,9 @@ def test_a_certificate_is_proved_by_the_checker_alone(tmp_path: Path) -> None:
     assert prove(json.loads(path.read_text()))
 
 
-def test_a_false_certificate_is_answered_by_reason_and_witness() -> None:
+def test_a_false_certificate_gets_a_reason_and_a_witness() -> None:
     proof = EXAMPLE.certificate()
-    # Into the notch, as deep as the tip of the house would fit.
+    # Into the notch, as deep as the tip of the house fits.
     proof["inner"][5], proof["inner"][4] = ["11/4", "2"], ["4", "2"]
     result = run("verify", "-", stdin=json.dumps(proof))
     assert (result.exit_code, result.stderr) == (1, "")
@@ -84,7 +84,7 @@ def test_a_false_certificate_is_answered_by_reason_and_witness() -> None:
     ],
     ids=range(9),
 )
-def test_malformed_certificates_are_refused_in_one_line(content: bytes, message: str) -> None:
+def test_malformed_certificates_are_rejected_in_one_line(content: bytes, message: str) -> None:
     found = refusal(run("verify", "-", stdin=content))
     assert found.startswith(f"standard input: {message}")
 
@@ -102,15 +102,15 @@ def test_malformed_certificates_are_refused_in_one_line(content: bytes, message:
     ids=range(6),
 )
 def test_hostile_certificates_are_not_proved(change: dict[str, object]) -> None:
-    refuse_changed(change)
+    reject_changed(change)
 
 
 @pytest.mark.parametrize(("member", "part"), [("exterior", ["0", "0"]), ("holes", [])])
-def test_long_certificates_are_refused_in_linear_time(member: str, part: list[str]) -> None:
-    require_linear(lambda n: refuse_changed({member: [part] * (n // 8)}))
+def test_long_certificates_are_rejected_in_linear_time(member: str, part: list[str]) -> None:
+    require_linear(lambda n: reject_changed({member: [part] * (n // 8)}))
 
 
-def refuse_changed(change: dict[str, object]) -> None:
+def reject_changed(change: dict[str, object]) -> None:
     result = run("verify", "-", stdin=json.dumps({**EXAMPLE.certificate(), **change}))
     assert (result.exit_code, result.stderr) == (1, "")
     assert len(result.stdout.splitlines()) <= 2

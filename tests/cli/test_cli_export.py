@@ -28,7 +28,7 @@ def files(tmp_path: Path) -> dict[str, str]:
 
 @pytest.mark.parametrize("form", FORMATS)
 @pytest.mark.parametrize("command", COMMANDS)
-def test_results_leave_rounded_and_are_read_again(
+def test_rounded_results_are_read_back(
     command: str, form: str, files: dict[str, str], tmp_path: Path
 ) -> None:
     pair = (
@@ -111,7 +111,7 @@ def test_the_suffix_of_the_output_selects_the_format(
 
 
 @pytest.mark.parametrize("command", COMMANDS)
-def test_there_is_one_json_of_an_answer(
+def test_all_options_for_json_write_the_same(
     command: str, files: dict[str, str], tmp_path: Path
 ) -> None:
     pair = files["plate"], files["part"]

@@ -17,7 +17,7 @@ from exactsweep.formats import format_polygons
 
 
 @pytest.mark.parametrize(("name", "command"), list(list_commands()))
-def test_help_has_an_example_that_can_be_given(name: str, command: click.Command) -> None:
+def test_help_has_an_example_that_runs(name: str, command: click.Command) -> None:
     shown = run(*name.split(), "--help").stdout
     examples = re.findall(r"^ +exactsweep (.*)$", shown.partition("  Example")[2], re.M)
     assert examples
@@ -71,7 +71,7 @@ def test_words_are_completed(words: str, completed: str) -> None:
 def test_reports_fit_a_terminal_and_are_plain_in_files(
     command: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    """On a terminal words may break, but none are missing."""
+    """On a terminal, words may be broken, but none is missing."""
     layout, parts, file = (tmp_path / name for name in ("layout.json", "parts.json", "report"))
     layout.write_text(json.dumps(find_layout_case("layouts-all-at-once").data))
     parts.write_text(format_polygons(part_list(2), "json"))

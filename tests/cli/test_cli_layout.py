@@ -1,4 +1,4 @@
-"""`exactsweep layout`, run as a user does."""
+"""`exactsweep layout`, run as users run it."""
 
 from __future__ import annotations
 
@@ -68,7 +68,7 @@ def test_several_sheets_are_read_from_standard_input(nest: Path) -> None:
         assert "cannot be combined with other files" in done.stderr
 
 
-def test_everything_is_written(tmp_path: Path) -> None:
+def test_all_outputs_are_written(tmp_path: Path) -> None:
     file = case_file(tmp_path, "all-at-once")
     names = "p.html", "p.svg", "proof.json", "out.json"
     page, picture, proof, out = (str(tmp_path / name) for name in names)
@@ -83,7 +83,7 @@ def test_everything_is_written(tmp_path: Path) -> None:
     assert run("verify", proof).stdout.startswith(f"{proof}: proved\n")
 
 
-def test_a_drawing_by_svg_is_shown_as_its_viewers_show_it(nest: Path) -> None:
+def test_an_svg_layout_is_shown_with_y_down(nest: Path) -> None:
     pictures = []
     for options in ([], ["--y-down"], ["--y-up"]):
         path = nest / "picture"
@@ -103,7 +103,7 @@ def test_a_wrong_convention_is_named(tmp_path: Path) -> None:
     assert said in run("layout", str(file)).stdout
 
 
-def test_exit_codes_say_whether_layouts_are_valid(tmp_path: Path) -> None:
+def test_exit_codes_state_whether_layouts_are_valid(tmp_path: Path) -> None:
     for case in [*layout_cases()][::5]:
         file = tmp_path / "case.json"
         file.write_text(json.dumps(case.data), encoding="utf-8")
@@ -123,7 +123,7 @@ def test_names_of_parts_are_written_on_one_line_without_control_characters(tmp_p
     assert "\\ud800\\x1b[31m\\n" in page.read_text(encoding="utf-8")
 
 
-def test_a_layout_without_proof_is_reported_all_the_same(tmp_path: Path) -> None:
+def test_a_layout_without_proof_is_still_reported(tmp_path: Path) -> None:
     data = find_layout_case("layouts-all-at-once").data
     two = [{"id": "a", "exterior": [["0", "0"], ["1", "0"], ["2", "0"]]}]
     file, proof = tmp_path / "two.json", tmp_path / "proof.json"
@@ -135,7 +135,7 @@ def test_a_layout_without_proof_is_reported_all_the_same(tmp_path: Path) -> None
     assert not proof.exists()
 
 
-def test_refusals_name_the_file(tmp_path: Path) -> None:
+def test_errors_name_the_file(tmp_path: Path) -> None:
     file = tmp_path / "nest.json"
     data = find_layout_case("layouts-all-at-once").data
     file.write_text(json.dumps({**data, "spacing": "-1"}), encoding="utf-8")

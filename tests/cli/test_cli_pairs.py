@@ -113,7 +113,7 @@ def test_all_pairs_are_compared_and_free_ones_are_counted(tmp_path: Path) -> Non
     )
 
 
-def test_one_polygon_is_no_pair(tmp_path: Path) -> None:
+def test_a_single_polygon_is_an_error(tmp_path: Path) -> None:
     (one,) = save(tmp_path, one=WKT)
     assert refusal(run("overlap", one)) == f"{one}: contains a single polygon; give a second file"
 
@@ -125,7 +125,7 @@ def test_shapes_apart_have_a_distance(tmp_path: Path) -> None:
     assert run("overlap", c, d).stdout == ("verdict  CONTACT\nwitness  (4,4), on both boundaries\n")
 
 
-def test_polygons_of_a_file_are_answered_alone_or_together(tmp_path: Path) -> None:
+def test_polygons_of_a_file_are_handled_alone_or_together(tmp_path: Path) -> None:
     two = "MULTIPOLYGON (((0 0, 1 0, 1 1, 0 1, 0 0)), ((2 0, 3 0, 3 1, 2 1, 2 0)))"
     unit = "POLYGON ((0 0, 1 0, 1 1, 0 1, 0 0))"
     obstacles, part = save(tmp_path, obstacles=two, part=unit)

@@ -65,7 +65,7 @@ def test_a_filled_path_is_a_polygon_unless_asked(shape: str, tmp_path: Path) -> 
         ('<path d="M0 0H1" fill="none"/><path d="M0 0V1"/>', ("--path",), "is not a path; --path"),
     ],
 )
-def test_other_drawings_are_refused(
+def test_other_drawings_are_rejected(
     drawn: str, options: tuple[str, ...], message: str, shape: str, tmp_path: Path
 ) -> None:
     file = write(tmp_path, "p.svg", SVG.format(drawn))

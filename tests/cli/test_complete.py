@@ -79,7 +79,7 @@ def test_completions_are_accepted(source: Source, arguments: tuple[str, ...]) ->
         assert (result.exit_code, result.stderr) == (0, "")
 
 
-def test_verdicts_and_filters_that_are_offered_are_taken() -> None:
+def test_offered_verdicts_and_filters_are_accepted() -> None:
     for verdict in list_verdicts():
         result = run("compare", "directions-y", "-", "--accept", verdict, stdin="{}")
         assert result.exit_code in (0, 1)

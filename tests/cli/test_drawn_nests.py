@@ -123,7 +123,7 @@ def test_a_part_in_a_hole_is_a_part(form: str, tmp_path: Path) -> None:
     small = Plate("small", [(x + 1, y + 1), (x + 3, y + 1), (x + 3, y + 3), (x + 1, y + 3)], [])
     code, found = judge(tmp_path, form, [*plates, small])
     assert (code, found["valid"], found["distance_squared"]) == (0, True, "1")
-    # Inside the material it is drawn like a hole, but it has the size of a part.
+    # Inside the material, it looks like a hole but has the size of a part.
     x += 10
     other = Plate("other", [(x, y), (x + 2, y), (x + 2, y + 2), (x, y + 2)], [])
     code, found = judge(tmp_path, form, [*plates, small, other])
@@ -133,7 +133,7 @@ def test_a_part_in_a_hole_is_a_part(form: str, tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize("form", WRITERS)
-def test_two_plates_on_one_place_overlap(form: str, tmp_path: Path) -> None:
+def test_two_plates_at_one_place_overlap(form: str, tmp_path: Path) -> None:
     plates = draw_plates()
     code, found = judge(tmp_path, form, [*plates, plates[4]._replace(name="copy")])
     (fault,) = found["faults"]
@@ -150,7 +150,7 @@ def test_without_a_container_the_parts_are_judged(form: str, tmp_path: Path) -> 
 
 
 @pytest.mark.parametrize("form", WRITERS)
-def test_a_missing_container_is_asked_for(form: str, tmp_path: Path) -> None:
+def test_a_missing_container_is_an_error(form: str, tmp_path: Path) -> None:
     path = tmp_path / f"nest.{form}"
     path.write_text(WRITERS[form](draw_plates(), sheet=False))
     done = run("layout", str(path))

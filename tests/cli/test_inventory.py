@@ -100,7 +100,7 @@ def test_a_folder_is_an_instance(tmp_path: Path) -> None:
     assert "1 missing" in done.stdout
 
 
-def test_an_unreadable_instance_is_refused(tmp_path: Path) -> None:
+def test_an_unreadable_instance_is_rejected(tmp_path: Path) -> None:
     path = tmp_path / "nest.svg"
     path.write_text(write_svg(draw_plates()))
     instance = tmp_path / "wrong.txt"

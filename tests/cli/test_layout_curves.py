@@ -25,7 +25,7 @@ def _plate(x: Decimal) -> str:
 
 
 def _disc(x: int, y: int) -> str:
-    """Draw four curves around a point, through those 5 to each side."""
+    """Draw four curves around a point, through the points at distance 5 along the axes."""
     return (
         f"M{x - 5} {y} C{x - 5} {y - 2} {x - 2} {y - 5} {x} {y - 5}"
         f" C{x + 2} {y - 5} {x + 5} {y - 2} {x + 5} {y}"

@@ -15,7 +15,7 @@ from exactsweep.cli import working
 
 
 class Soon:
-    """A timer that fires when it starts, unless it was cancelled before."""
+    """A timer that fires on start, unless it was canceled before."""
 
     daemon = False
 
@@ -27,7 +27,7 @@ class Soon:
         self.act()
 
     def cancel(self) -> None:
-        """Do nothing: it has fired already."""
+        """Do nothing, since the timer has fired."""
 
     join = cancel
 

@@ -25,7 +25,7 @@ MODULES = [
 
 
 def public_names(module: ModuleType) -> list[str]:
-    """Return the names that a module exports, or that it defines itself and does not hide."""
+    """Return the names that a module exports, or else the public names that it defines."""
     exported = getattr(module, "__all__", None)
     if exported is not None:
         return list(exported)

@@ -56,7 +56,7 @@ def test_each_turn_has_a_line(tmp_path: Path) -> None:
     assert report[1].split()[:2] == ["0", "yes"]
 
 
-def test_a_turn_that_does_not_fit_says_no(tmp_path: Path) -> None:
+def test_a_rotation_that_does_not_fit_is_marked(tmp_path: Path) -> None:
     files = write(tmp_path, "c.json", SHEET), write(tmp_path, "p.json", [[0, 0], [15, 0], [0, 2]])
     report = run("ifp", *files, "--turns", "0,90").stdout.splitlines()
     assert [line.split()[1] for line in report[1:]] == ["yes", "no"]

@@ -43,10 +43,10 @@ def labels(axes: Axes) -> list[str]:
 
 
 def corners(axes: Axes, label: str) -> list[tuple[float, float]]:
-    """The corners of all areas and lines of one label."""
+    """The vertices of all areas and lines with a label."""
     areas: list[Any] = [p.get_path().vertices for p in axes.patches if p.get_label() == label]
     lines: list[Any] = [p.get_xydata() for p in axes.lines if p.get_label() == label]
-    # Chains of one line are parted by nan.
+    # NaNs separate the chains of a line.
     shapes = [area[:-1] for area in areas] + lines
     return [(float(x), float(y)) for shape in shapes for x, y in shape if x == x]
 
@@ -82,7 +82,7 @@ def test_plot_uses_given_axes_or_a_new_figure() -> None:
     assert "generatrix G" not in labels(mine)
 
 
-def test_no_two_things_differ_by_colour_alone() -> None:
+def test_no_two_things_differ_by_color_alone() -> None:
     looks = [*style.EVENTS.values(), style.SEVERAL_EVENTS, style.INNER, style.OUTER]
     assert len({(look.width, str(look.dash)) for look in looks}) == len(looks)
     solid = [style.EVENTS["EV"], style.INNER, style.EXACT_FIT]
@@ -108,7 +108,7 @@ def test_files_are_the_same_byte_by_byte(tmp_path: Path, suffix: str) -> None:
         assert ElementTree.fromstring(first).tag == "{http://www.w3.org/2000/svg}svg"
 
 
-def test_without_matplotlib_the_refusal_says_how_to_get_it(
+def test_without_matplotlib_the_error_states_how_to_install_it(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     monkeypatch.setitem(sys.modules, "matplotlib", None)

@@ -1,4 +1,4 @@
-"""The files of `exactsweep draw`; transcripts/draw.txt has its refusals."""
+"""The files of `exactsweep draw`; transcripts/draw.txt has its errors."""
 
 import json
 from pathlib import Path

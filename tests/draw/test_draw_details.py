@@ -1,4 +1,4 @@
-"""Distinct colours, details of unequal and flat pairs, legends, text, the Y direction."""
+"""Distinct colors, details of unequal and flat pairs, legends, text, the Y direction."""
 
 import re
 from fractions import Fraction
@@ -25,8 +25,8 @@ from exactsweep.draw import (
 )
 from exactsweep.draw.picture import find_details
 
-# The look of colours, in linear light, to all, and to those whose green or red cones do not work:
-# Machado, Oliveira and Fernandes (2009), severity 1.
+# Colors in linear light as seen by normal, green-blind and red-blind readers: Machado, Oliveira and
+# Fernandes (2009), severity 1.
 EYES = {
     "all": ((1, 0, 0), (0, 1, 0), (0, 0, 1)),
     "deuteranopia": (
@@ -56,7 +56,7 @@ COMB = [(0, 0), (40, 0), *((40 - k, 6 + k % 2 * 3) for k in range(41))]
 
 
 def lab(color: str, eye: str) -> tuple[float, float, float]:
-    """Return the CIE Lab coordinates of a colour, for white of daylight."""
+    """Return the CIE Lab coordinates of a color, for white of daylight."""
     parts = [int(color[k : k + 2], 16) / 255 for k in (1, 3, 5)]
     light = [c / 12.92 if c <= 0.04045 else ((c + 0.055) / 1.055) ** 2.4 for c in parts]
     seen = [sum(m * c for m, c in zip(row, light, strict=True)) for row in EYES[eye]]
@@ -85,15 +85,15 @@ def lines_of(palette: dict[str, str]) -> dict[str, str]:
 
 
 @pytest.mark.parametrize("palette", [style.LIGHT, style.DARK], ids=["light", "dark"])
-def test_one_colour_has_one_meaning_for_all_eyes(palette: dict[str, str]) -> None:
+def test_a_color_has_one_meaning_for_all_eyes(palette: dict[str, str]) -> None:
     assert palette.keys() == style.LIGHT.keys()
     assert too_near(lines_of(palette)) == []
-    # The former colours fail it: EV was that of G, VE of undercuts, VV of fits.
+    # The former colors fail: EV had the color of G, VE that of undercuts, VV that of fits.
     assert too_near({**lines_of(palette), "EV": palette["generatrix"]})
     assert too_near({"D": "#5f5f5f", "VE": "#882255"})
 
 
-def test_colours_of_judged_and_exact_things_differ() -> None:
+def test_colors_of_judged_and_exact_things_differ() -> None:
     shown = {name: style.LIGHT[name] for name in ("directrix", "generatrix", "path")}
     assert too_near(shown | style.JUDGED) == []
     assert not set(style.JUDGED.values()) & set(style.LIGHT.values())
@@ -128,7 +128,7 @@ def test_undercuts_that_are_shown_are_far_apart() -> None:
     closing = {undercut.positions[0] for undercut in s.undercuts}
     assert {first, second} <= closing
     assert first == max(closing, key=lambda p: (p.x - corner.x) ** 2 + (p.y - corner.y) ** 2)
-    # No other one is farther from both.
+    # No other undercut is farther from both.
     nearer = [
         min((p.x - q.x) ** 2 + (p.y - q.y) ** 2 for q in (first, corner))
         for p in (second, *closing)
@@ -182,7 +182,7 @@ def test_an_svg_has_real_text_a_title_and_a_size(tmp_path: Path) -> None:
     assert float(width) < float(re.findall(r'width="([\d.]+)pt"', wide.read_text())[0])
 
 
-def test_svg_input_is_drawn_the_way_its_viewers_show_it(tmp_path: Path) -> None:
+def test_svg_input_is_drawn_with_y_down(tmp_path: Path) -> None:
     drawing = tmp_path / "parts.SVG"
     drawing.write_text(
         '<svg xmlns="http://www.w3.org/2000/svg"><path id="d" d="M0 0h8v5h-8z"/>'
@@ -200,7 +200,7 @@ def test_svg_input_is_drawn_the_way_its_viewers_show_it(tmp_path: Path) -> None:
     assert all(detail.yaxis_inverted() for detail in details(drawn(UNEQUAL, y_down=True)))
 
 
-def test_figures_of_others_are_laid_out_by_others() -> None:
+def test_the_layout_of_given_figures_is_unchanged() -> None:
     left, right = make_figure(columns=2).axes
     places = [tuple(axes.get_position(original=True).bounds) for axes in (left, right)]
     plot_sweep(UNEQUAL, left)

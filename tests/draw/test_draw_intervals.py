@@ -25,7 +25,7 @@ def swept(pair: tuple[Polygon, Polygon]) -> Sweep:
 
 @examples(60)
 @given(any_pair)
-def test_intervals_run_once_round_the_trajectory(pair: tuple[Polygon, Polygon]) -> None:
+def test_intervals_go_once_around_the_trajectory(pair: tuple[Polygon, Polygon]) -> None:
     s = swept(pair)
     found = cut_trajectory(s)
     for before, after in zip(found, found[1:] + found[:1], strict=True):
@@ -58,7 +58,7 @@ def test_edges_touch_in_a_segment_and_vertices_in_a_point(pair: tuple[Polygon, P
 
 
 def test_edges_are_cut_at_changes_of_contact() -> None:
-    # Over the gap, which is narrower than itself, the block lies on both sides of it for a while.
+    # Over the gap, which is narrower than the block, the block rests on both sides for a while.
     block = [(0, 0), (3, 0), (3, 1), (0, 1)]
     gap = [(0, -3), (8, -3), (8, 0), (5, 0), (4, -1), (3, 0), (0, 0)]
     over = [interval for interval in cut_trajectory(sweep(block, gap)) if interval.edge == 2]
@@ -71,7 +71,7 @@ def test_edges_are_cut_at_changes_of_contact() -> None:
     ]
 
 
-def test_contacts_of_several_events_at_once_say_so() -> None:
+def test_simultaneous_events_are_marked_as_several() -> None:
     at = Point(Fraction(0), Fraction(0))
     contacts = (Contact("EV", 0, 0), Contact("VE", 1, 1), Contact("EV", 1, 2))
     assert ContactInterval(0, at, at, contacts).event == "several"

@@ -46,7 +46,7 @@ def test_missing_and_broken_libraries_are_distinguished(
         load()
     assert str(refused.value) == missing
     monkeypatch.delitem(sys.modules, name)
-    # A message of the loader when memory is short, with several lines.
+    # The loader's message if memory is short has several lines.
     text = 'raise ImportError("ft2font.so: failed to\\n map segment")\n'
     (tmp_path / f"{name}.py").write_text(text)
     monkeypatch.syspath_prepend(tmp_path)

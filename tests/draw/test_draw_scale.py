@@ -44,7 +44,7 @@ def test_shapes_of_one_point_or_line_have_a_scale(x: Fraction, y: Fraction) -> N
         Scale.of(shape).places(shape)
 
 
-def test_digits_behind_a_long_head_are_seen() -> None:
+def test_small_differences_of_long_numbers_are_visible() -> None:
     head, step = Fraction(7**600), Fraction(1, 3**900)
     line = [(head, head), (head + step, head + 2 * step), (head + 2 * step, head)]
     (ax, ay), (bx, by), (cx, cy) = Scale.of(line).places(line)
@@ -79,11 +79,11 @@ def test_axes_have_different_units_only_for_flat_pictures() -> None:
         ("99999999999999", 0, r"$x - 9.99999\ldots \cdot 10^{13}$"),
     ],
 )
-def test_labels_tell_true_sizes(origin: str, exponent: int, label: str) -> None:
+def test_labels_state_true_sizes(origin: str, exponent: int, label: str) -> None:
     assert AxisScale(Fraction(origin), exponent).label("x") == label
 
 
-def test_an_origin_far_off_is_a_round_number() -> None:
+def test_a_distant_origin_is_a_round_number() -> None:
     for low, high, origin in (
         (BIG - 2, BIG + 10, BIG),
         (-BIG - 2, -BIG + 10, -BIG),

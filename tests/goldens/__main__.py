@@ -25,7 +25,7 @@ import test_cli_options as options
 import test_formats_golden as formats
 import test_layout as layout
 import test_reports_golden as reports
-from refusals import refuse_again
+from refusals import renew_errors
 from transcripts import TESTS, list_transcripts, replay
 
 from goldens.texts import TEXTS, list_rows
@@ -43,7 +43,7 @@ def list_goldens() -> Iterator[tuple[Path, Callable[[], str]]]:
         yield path, partial(replay_apart, path)
     for path in sorted(TESTS.glob("*/refusals.txt")):
         names = vars(layout) if path.parent.name == "layout" else {}
-        yield path, partial(refuse_again, path, names)
+        yield path, partial(renew_errors, path, names)
 
 
 def join_lines(lines: Callable[[], Iterable[str]]) -> str:

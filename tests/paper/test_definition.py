@@ -1,4 +1,4 @@
-"""The reference itself: answers worked out by hand, and every loop compared with `classify`."""
+"""The reference itself: known answers by hand, and every loop compared with `classify`."""
 
 from fractions import Fraction
 from typing import Any
@@ -75,7 +75,7 @@ STAIR = [(0, 0), (4, 0), (4, 1), (2, 1), (2, 3), (0, 3)]
             WIDE_SLOT,
             [(-1, -1), (4, -1), (4, 3), (2, 3), (2, 1), (1, 1), (1, 3), (-1, 3)],
             WIDE_SLOT,
-            # The square sweeps the slot of width two full.
+            # The square covers all of the slot of width two.
             [(-1, -1), (5, -1), (5, 4), (-1, 4)],
             id="slot wider than G",
         ),
@@ -92,7 +92,7 @@ STAIR = [(0, 0), (4, 0), (4, 1), (2, 1), (2, 3), (0, 3)]
             #   ##
             [(0, 0), (2, 0), (2, 2), (1, 2), (1, 1), (0, 1)],
             STAIR,
-            # The notch of G rides under the right end of D: the step at x = 3.
+            # The notch of G passes under the right end of D: the step at x = 3.
             [(-2, -2), (3, -2), (3, -1), (4, -1), (4, 1), (2, 1), (2, 3), (-2, 3)],
             STAIR,
             [
@@ -102,12 +102,12 @@ STAIR = [(0, 0), (4, 0), (4, 1), (2, 1), (2, 3), (0, 3)]
             id="vertical edges inside chains of both",
         ),
         pytest.param(
-            # Two prongs, at x = 0 and x = 2, astride the valley |x - 2| of D. On each quarter of
-            # the way one prong touches: T falls and climbs by one, three times.
+            # Two prongs, at x = 0 and x = 2, straddle the valley |x - 2| of D. In each quarter of
+            # the sweep one prong touches: T falls and climbs by one, three times.
             [(0, 0), (1, 1), (2, 0), (2, 2), (0, 2)],
             [(0, -1), (4, -1), (4, 2), (2, 0), (0, 2)],
             [(-2, -3), (4, -3), (4, 2), (3, 1), (2, 2), (1, 1), (0, 2), (-1, 1), (-2, 2)],
-            # Under the prongs' tips what is left of the valley is a W with a tooth to (2, 2).
+            # Under the tips of the prongs, the rest of the valley is a W with a tooth to (2, 2).
             [(0, -1), (4, -1), (4, 2), (3, 1), (2, 2), (1, 1), (0, 2)],
             [(-2, -3), (6, -3), (6, 4), (-2, 4)],
             id="MM, two prongs in a valley",
@@ -177,7 +177,7 @@ def test_fork_in_two_slots_fits_with_both_prongs() -> None:
 
 
 def test_direction_is_respected() -> None:
-    """A slot that opens to the right; only horizontal lines meet it in one piece each."""
+    """A slot that opens to the right: only horizontal lines meet it in a single segment."""
     lying = [(y, x) for x, y in SLOT]
     with pytest.raises(ValueError, match="the directrix is not monotone in direction \\(1, 0\\)"):
         reference_loops(UNIT, lying)
@@ -190,7 +190,7 @@ def test_direction_is_respected() -> None:
     assert (hanging, inner) == (Point(Fraction(3), Fraction(1)), Point(Fraction(1), Fraction(1)))
 
 
-def test_zero_direction_is_refused() -> None:
+def test_a_zero_direction_is_rejected() -> None:
     with pytest.raises(ValueError, match="must not be"):
         reference_loops(UNIT, UNIT, (0, 0))
 
@@ -210,7 +210,7 @@ def turned(polygon: Polygon, a: int, b: int) -> Polygon:
 
 @st.composite
 def translations_near(draw: st.DrawFn, g: Polygon, d: Polygon) -> tuple[Fraction, Fraction]:
-    """Positions of vertices on vertices, midpoints between two of these, and positions nearby."""
+    """Positions of vertices on vertices, midpoints of two such positions, and positions nearby."""
     corner, feature = st.sampled_from(d.vertices), st.sampled_from(g.vertices)
     (px, py), (qx, qy) = draw(corner), draw(corner)
     (rx, ry), (sx, sy) = draw(feature), draw(feature)
@@ -220,9 +220,7 @@ def translations_near(draw: st.DrawFn, g: Polygon, d: Polygon) -> tuple[Fraction
 
 @patient
 @given(all_pairs(), st.data())
-def test_trajectory_and_fits_divide_the_plane_as_classify_does(
-    pair: Pair, data: st.DataObject
-) -> None:
+def test_trajectory_and_fits_agree_with_classify(pair: Pair, data: st.DataObject) -> None:
     g, d = pair
     t = data.draw(translations_near(g, d))
     trajectory = reference_loops(g, d).trajectory
@@ -246,7 +244,7 @@ def test_trajectory_and_fits_divide_the_plane_as_classify_does(
 def test_fits_of_rectilinear_pairs_are_all_the_contacts_inside_the_trajectory(
     g: own.Ring, d: own.Ring
 ) -> None:
-    """On the grid a fit has its ends on grid points, so its midpoint is on the half grid."""
+    """The ends of a fit are grid points, so its midpoint is on the half grid."""
     trajectory = Polygon(reference_loops(g, d).trajectory)
     low, high = trajectory.bounding_box
     found = {
@@ -266,7 +264,7 @@ def test_fits_of_rectilinear_pairs_are_all_the_contacts_inside_the_trajectory(
 
 @patient
 @given(all_pairs(), st.data())
-def test_outer_loop_holds_all_covered_points(pair: Pair, data: st.DataObject) -> None:
+def test_the_outer_loop_encloses_all_covered_points(pair: Pair, data: st.DataObject) -> None:
     g, d = pair
     loops = reference_loops(g, d)
     p = data.draw(translations_near(Polygon(loops.trajectory), Polygon(loops.outer)))
@@ -283,7 +281,7 @@ def test_inner_loop_bounds_uncovered_points(pair: Pair, data: st.DataObject) -> 
     loops = reference_loops(g, d)
     low, high = Polygon(loops.outer).bounding_box
     steps = st.integers(1, 96).map(lambda k: Fraction(k, 97))
-    # An abscissa that meets no vertex, so that a whisker, dropped from the loops, is not hit.
+    # An abscissa without a vertex, so that it does not meet a dropped whisker of a loop.
     p = low.x + data.draw(steps) * (high.x - low.x), low.y + data.draw(steps) * (high.y - low.y)
     on_edge = data.draw(st.sampled_from(list(zip(loops.inner, loops.inner[1:], strict=False))))
     a, b = on_edge

@@ -1,4 +1,4 @@
-"""The ledger of the paper: complete, tied to the code, and borne out by its evidence."""
+"""The ledger of the paper is complete, refers to existing code, and agrees with its evidence."""
 
 import json
 import re
@@ -110,7 +110,7 @@ def test_refuted_statements_have_a_correction(claim: Claim) -> None:
 
 
 @pytest.mark.parametrize("name", mostly_long(ORDER, [*{*ORDER} - SLOW]))
-def test_the_evidence_bears_out_the_status(name: str, tmp_path: Path) -> None:
+def test_the_evidence_supports_the_verdict(name: str, tmp_path: Path) -> None:
     claim = find(name)
     (row,) = reproduce([claim], Effort(seed=2, quick=True))
     assert row.disagreement == ""
@@ -140,12 +140,12 @@ def row_of(status: ClaimVerdict, evidence: Evidence) -> Finding:
     return next(reproduce([claim], Effort()))
 
 
-def test_a_failure_disagrees_with_every_status() -> None:
+def test_a_failure_disagrees_with_every_verdict() -> None:
     for status in ClaimVerdict:
         assert row_of(status, Evidence("much", "it fails")).disagreement == "it fails"
 
 
-def test_a_counterexample_is_expected_where_one_is_announced_and_nowhere_else() -> None:
+def test_only_refuted_claims_have_counterexamples() -> None:
     against = Evidence("much", cases=(Counterexample("a case", "by chance"),))
     for status in ClaimVerdict:
         announced = status.contradicts_paper
@@ -153,7 +153,7 @@ def test_a_counterexample_is_expected_where_one_is_announced_and_nowhere_else() 
         assert bool(row_of(status, against).disagreement) != announced
 
 
-def test_a_row_names_the_evidence_that_it_gives_and_no_other() -> None:
+def test_a_row_announces_exactly_the_evidence_found() -> None:
     def disagreement(named: tuple[str, ...], given: Evidence) -> str:
         claim = Claim(
             "A", "1", "It holds.", ClaimVerdict.REPRODUCED, named, (), lambda effort: [given]
@@ -170,7 +170,7 @@ def test_a_row_names_the_evidence_that_it_gives_and_no_other() -> None:
     )
 
 
-def test_a_check_that_breaks_off_fails() -> None:
+def test_a_check_that_raises_fails() -> None:
     def check(effort: Effort) -> list[Observation]:
         raise ZeroDivisionError("by zero")
 
@@ -179,7 +179,7 @@ def test_a_check_that_breaks_off_fails() -> None:
     assert row.disagreement == "ZeroDivisionError: by zero"
 
 
-def test_names_are_found_in_any_spelling() -> None:
+def test_names_are_found_in_any_case_and_spacing() -> None:
     assert find("  lemma   A.1").name == "Lemma A.1"
 
 
@@ -201,7 +201,7 @@ def test_random_pairs_are_of_their_class(strict: bool) -> None:
     assert (walls == 0) == strict
 
 
-def test_all_polygons_of_a_tiny_grid_are_there() -> None:
+def test_all_polygons_of_a_tiny_grid_are_listed() -> None:
     # Heights over x = 0, 1, 2: 27, of which 5 are on a line; and 8, of which 2, do not touch y = 0.
     assert len(list_polygons(2, 3)) == 27 - 5 - (8 - 2)
     # Over x = 0, 1, 2 again, two heights over 1: no three on a line, at least one is zero.
@@ -246,7 +246,7 @@ def test_a_law_that_raises_is_broken() -> None:
     )
 
 
-def test_a_trial_keeps_the_first_failure_and_tells_the_laws() -> None:
+def test_a_trial_reports_the_first_failure_and_the_laws() -> None:
     def law(pair: SweepPair) -> list[str]:
         """It always fails."""
         return ["of course"]
@@ -264,7 +264,7 @@ def series(
     return Growth(what, "ints", "n", points, limit, side)
 
 
-def test_growth_tells_flat_rising_and_falling() -> None:
+def test_growth_is_flat_rising_or_falling() -> None:
     assert series(1).is_flat
     assert series(1).is_attained
     assert series(1.2).failure.startswith("vertices on ints, m and n doubled: the ratio to n rose")
@@ -281,7 +281,7 @@ def test_an_upper_bound_fails_above_and_a_lower_one_below() -> None:
     assert failing["both"] == [True, False, True]
 
 
-def test_the_three_largest_sizes_tell_whether_a_bound_is_attained() -> None:
+def test_the_three_largest_sizes_decide_whether_a_bound_is_attained() -> None:
     def attained(*ratios: int) -> bool:
         points = (Size(2**k, 2**k, ratio << k, 2**k) for k, ratio in enumerate(ratios))
         return Growth("vertices", "ints", "n", tuple(points)).is_attained
@@ -299,7 +299,7 @@ def test_measured_growth_is_judged_by_its_exponent() -> None:
     assert not series(1.25, limit=0.2).is_flat
 
 
-def test_of_seconds_that_are_measured_again_the_least_count() -> None:
+def test_repeated_measurements_keep_the_minimum() -> None:
     slow, fast = series(2, "seconds of f"), series(1, "seconds of f")
     assert slow.take_minima(fast).points == fast.take_minima(slow).points == fast.points
     assert not slow.take_minima(slow).is_flat

@@ -79,7 +79,7 @@ def test_planted_counts_beyond_a_bound_are_failures(
 @pytest.mark.parametrize(
     ("procedure", "most"), [("Trajectory_CM", 8), ("SweepO_CM", 12), ("SweepI_CM", 6)]
 )
-def test_chains_of_a_cm_sweep_may_have_as_many_edges_as_stated(
+def test_chains_of_a_cm_sweep_may_attain_the_stated_sizes(
     procedure: str, most: int, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     def found(size: int) -> list[str]:
@@ -97,7 +97,7 @@ def test_chains_of_a_cm_sweep_may_have_as_many_edges_as_stated(
 
 
 @pytest.mark.parametrize(("which", "most"), [(0, 8), (1, 12)])
-def test_parts_may_have_as_many_edges_as_stated(
+def test_parts_may_attain_the_stated_sizes(
     which: int, most: int, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     def found(edges: int) -> list[str]:
@@ -111,7 +111,7 @@ def test_parts_may_have_as_many_edges_as_stated(
     assert len(found(most + 1)) == 1
 
 
-def test_undercuts_may_be_as_many_and_as_long_as_stated(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_undercuts_may_attain_the_stated_number_and_length(monkeypatch: pytest.MonkeyPatch) -> None:
     def found(*edges: int) -> list[str]:
         planted = [SimpleNamespace(bottom=bow(size)) for size in edges]
         monkeypatch.setattr(section4, "lower_undercuts", lambda s: planted)
@@ -123,7 +123,7 @@ def test_undercuts_may_be_as_many_and_as_long_as_stated(monkeypatch: pytest.Monk
 
 
 @pytest.mark.parametrize(("loop", "most"), [("trajectory", 7), ("inner", 4), ("outer", 10)])
-def test_loops_of_convex_polygons_may_be_as_large_as_stated(
+def test_loops_of_convex_polygons_may_attain_the_stated_sizes(
     loop: str, most: int, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     square = [(0, 0), (1, 0), (1, 1), (0, 1)]
@@ -152,7 +152,7 @@ def test_there_may_be_2mn_contact_segments(monkeypatch: pytest.MonkeyPatch) -> N
     assert found(19) == ["19 contact segments, more than 2mn"]
 
 
-def test_chains_may_part_once_only() -> None:
+def test_chains_may_cross_only_once() -> None:
     level: list[Vertex] = [(0, 0), (8, 0)]
     down: list[Vertex] = [(0, 0), (4, 0), (8, -4)]
     across: list[Vertex] = [(0, 2), (8, -2)]
@@ -178,7 +178,7 @@ def test_a_partial_trajectory_is_that_of_all_parts_but_the_last() -> None:
     ]
 
 
-def test_a_written_chain_is_compared_with_mn(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_output_sizes_are_compared_with_mn(monkeypatch: pytest.MonkeyPatch) -> None:
     def plant(row: str, effort: Effort) -> list[Growth]:
         sizes = [(4, 6), (8, 12), (16, 24)]
         points = tuple(Size(m, n, 10 * m, m * n) for m, n in sizes)
@@ -233,7 +233,7 @@ def test_points_between_the_loops_are_reported(
 
 
 @pytest.mark.parametrize(("each", "runs"), [(1, 3), (0.05, 4), (0.001, 50)])
-def test_seconds_are_the_least_of_three_runs_or_more(
+def test_seconds_are_the_minimum_of_at_least_three_runs(
     each: float, runs: int, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     clock = count()
@@ -274,7 +274,7 @@ def test_a_quick_run_skips_seconds(quick: bool, monkeypatch: pytest.MonkeyPatch)
     assert measured == ["operations", "bytes", *["seconds"] * (not quick)]
 
 
-def test_the_peak_of_memory_is_that_of_the_run() -> None:
+def test_peak_memory_is_that_of_the_run() -> None:
     chains = TEETH.chains
     kept = peak(lambda _: len([0] * 10**5), chains)
     assert 8 * 10**5 <= kept < 9 * 10**5

@@ -101,7 +101,7 @@ def calls_made() -> set[tuple[str, str]]:
     return found
 
 
-def test_figure_11_has_all_calls_that_are_made_and_no_others() -> None:
+def test_figure_11_shows_exactly_the_calls_made() -> None:
     assert calls_made() == set(procedures.MADE)
     assert procedures.watch_kernel() == set(procedures.MADE)
 
@@ -183,7 +183,7 @@ def test_without_matplotlib_figures_are_checked_and_not_drawn(
 
 
 @pytest.mark.parametrize("name", ["Figure 4", "Figure 6"])
-def test_a_fault_turns_a_figure_red_and_it_is_not_drawn(name: str, tmp_path: Path) -> None:
+def test_a_figure_with_a_fault_fails_and_is_not_drawn(name: str, tmp_path: Path) -> None:
     with mutated(MUTATIONS[0]):
         rows = list(reproduce([find(name)], Effort()))
         assert rows[0].disagreement

@@ -61,7 +61,7 @@ LONGEST = {1: 1, 2: 4, 3: 8, 4: 12, 5: 17, 6: 22}
 
 
 @pytest.mark.parametrize("segments", BEST)
-def test_segments_have_about_as_many_pieces_as_there_can_be(
+def test_segments_come_close_to_the_maximum_number_of_pieces(
     segments: tuple[tuple[int, int, int, int], ...],
 ) -> None:
     most = LONGEST[len(segments)]
@@ -78,13 +78,13 @@ def test_a_box_fits_exactly_into_the_slots_of_its_width() -> None:
     assert sum(len(plate) > 4 for _, plate in drawn) > 3
 
 
-def test_windows_lay_segments_over_one_another() -> None:
+def test_windows_superimpose_segments() -> None:
     pair = build_windows(BEST[2])
     assert len(sweep(*pair).directrix) == 27
     assert sweep(*pair).kind == "MM"
 
 
-def test_windows_of_windows_lay_segments_over_one_another_twice() -> None:
+def test_windows_of_windows_superimpose_segments_twice() -> None:
     segments = BEST[2]
     s = sweep(*build_windows_of_windows(segments))
     assert s.kind == "MM"
@@ -119,7 +119,7 @@ def test_ceilings_have_order_mn2_undercuts(m: int, n: int, undercuts: int) -> No
     s = sweep(*pair)
     assert (len(s.directrix), len(s.generatrix), s.kind) == (m, n, "MM")
     assert len(lower_undercuts(s)) == undercuts == undercuts_under_ceilings(m, n)
-    # The trajectory between the outer needles is that of the needles without ceilings.
+    # Between the outer needles, the trajectory is the same as without ceilings.
     start, end = -max(x for x, _ in pair[0]), max(x for x, y in pair[1] if y == 0)
     low, high = (
         clip(take_bottom(t.vertices), Fraction(start), Fraction(end))
@@ -130,9 +130,7 @@ def test_ceilings_have_order_mn2_undercuts(m: int, n: int, undercuts: int) -> No
 
 @examples(60)
 @given(st.integers(0, 10**6), st.sampled_from(["CC", "CM", "MM"]))
-def test_pruning_and_inner_loops_in_the_undercuts_alone_change_nothing(
-    seed: int, kind: str
-) -> None:
+def test_pruning_and_sweeping_only_undercuts_change_nothing(seed: int, kind: str) -> None:
     assert not any(shortcuts_change_nothing(draw_pair(Prng(str(seed)), kind)))
 
 
@@ -146,7 +144,7 @@ def test_a_slide_along_an_undercut_may_be_stopped_by_another_contact() -> None:
     assert not any(bottom_chains_have_two_forms(SweepPair([(5, 0), (17, 2), (9, 4)], directrix)))
 
 
-def test_chains_are_evaluated_and_cut() -> None:
+def test_chains_are_evaluated_and_clipped() -> None:
     chain = [(0, 0), (2, 4), (2, 6), (4, 6)]
     assert evaluate(chain, Fraction(1, 2)) == 1
     assert clip(chain, Fraction(1), Fraction(3)) == [(1, 2), (2, 4), (2, 6), (3, 6)]
@@ -217,7 +215,7 @@ def test_a_chain_that_stands_still_or_turns_back_is_reported(x: int, is_reported
     assert reported == ["T is not strictly X-monotone at x = 1"] * is_reported
 
 
-def test_a_counterexample_is_made_smaller() -> None:
+def test_a_counterexample_is_shrunk() -> None:
     def has_corner(pair: SweepPair) -> list[str]:
         return ["a corner"] if (0, 0) in pair.directrix else []
 

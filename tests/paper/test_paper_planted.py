@@ -1,4 +1,4 @@
-"""Checks of the paper, each of which reports a fault planted in its input."""
+"""Checks of the paper report faults planted in their input."""
 
 import re
 from fractions import Fraction
@@ -24,7 +24,7 @@ def _copy(s: Any, *names: str, **planted: Any) -> Any:
     return SimpleNamespace(**{name: getattr(s, name) for name in names} | planted)
 
 
-def test_a_loop_that_is_not_that_of_the_definition_is_reported() -> None:
+def test_a_wrong_loop_is_reported() -> None:
     s = sweep([(0, 0), (1, 0), (0, 1)], [(0, 0), (3, 0), (3, 3), (0, 3)])
     names = "generatrix", "directrix", "reference", "trajectory", "outer"
     wrong = _copy(s, *names, inner=s.outer)
@@ -91,7 +91,7 @@ def test_a_contact_of_two_like_chains_is_reported(
         ]
 
 
-def test_a_path_that_is_the_directrix_moved_is_reported(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_path_that_is_a_translated_directrix_is_reported(monkeypatch: pytest.MonkeyPatch) -> None:
     assert not [*section1.path_is_not_the_directrix(SQUARES)]
     d = sweep(*SQUARES).directrix
     wrong = SimpleNamespace(directrix=d, trajectory=d.translated((2, 7)))

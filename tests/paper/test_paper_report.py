@@ -52,7 +52,7 @@ def timeless(text: str) -> str:
 
 
 class Checker(HTMLParser):
-    """Follows the nesting of tags, and keeps what the file refers to."""
+    """A parser that checks the nesting of tags and collects references to other files."""
 
     VOID = ("meta", "img", "br")
 
@@ -77,7 +77,7 @@ class Checker(HTMLParser):
 
 
 @pytest.mark.long
-def test_the_same_seed_gives_the_same_bytes_but_for_times(tmp_path: Path) -> None:
+def test_the_same_seed_gives_the_same_bytes_except_for_times(tmp_path: Path) -> None:
     texts = []
     again = list(reproduce(map(find, FEW), EFFORT))
     for name, rows in (("one", list(map(row, FEW))), ("two", again)):
@@ -147,7 +147,7 @@ def test_one_row_is_shown_in_full() -> None:
     assert "*Counterexample:* Trajectory_MM along the inside of T extends from" in result.output
 
 
-def test_rows_that_are_named_are_reported_if_asked_for(tmp_path: Path) -> None:
+def test_named_rows_are_reported_on_request(tmp_path: Path) -> None:
     result = run("Slope", "Lemma 3.1", "--quick", "--out", str(tmp_path / "a" / "b"))
     assert result.exit_code == 0
     assert (tmp_path / "a" / "b" / "report.html").is_file()
@@ -162,7 +162,7 @@ def test_a_row_whose_evidence_fails_gives_exit_code_1(tmp_path: Path) -> None:
     assert "Rows whose evidence fails" in (tmp_path / "report.md").read_text(encoding="utf-8")
 
 
-def test_a_folder_that_cannot_be_written_is_refused(tmp_path: Path) -> None:
+def test_an_unwritable_folder_is_an_error(tmp_path: Path) -> None:
     file = tmp_path / "file"
     file.write_text("")
     result = run("Slope", "--quick", "--out", str(file / "folder"))
@@ -171,7 +171,7 @@ def test_a_folder_that_cannot_be_written_is_refused(tmp_path: Path) -> None:
 
 
 def test_the_citation_is_two_files_of_this_version(tmp_path: Path) -> None:
-    # The second time the folder is there.
+    # The second time, the folder exists.
     for _ in range(2):
         result = run("--cite", "--out", str(tmp_path / "cite"))
     paths = [tmp_path / "cite" / name for name in ("CITATION.cff", "references.bib")]
@@ -210,7 +210,7 @@ def test_the_totals_are_reported() -> None:
     assert "; evidence fails: Trajectory_CC; " in count_verdicts(red)
 
 
-def test_the_environment_names_the_packages_that_are_there() -> None:
+def test_the_environment_lists_the_installed_packages() -> None:
     found = describe_environment(Effort(7, quick=True))
     assert found["packages"]["sympy"] == version("sympy")
     assert None not in found["packages"].values()

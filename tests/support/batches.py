@@ -11,7 +11,7 @@ from exactsweep.formats import NamedPolygon, format_polygons
 
 
 def all_of(parts: Sequence[NamedPolygon], folder: Path) -> list[str]:
-    """The command that sweeps all pairs of a part list, with its files in a folder."""
+    """Return the command that sweeps all pairs of a part list, with files in a folder."""
     listed = folder / "parts.json"
     listed.write_text(format_polygons(parts, "json"))
     output = folder / "out.jsonl"
@@ -19,7 +19,7 @@ def all_of(parts: Sequence[NamedPolygon], folder: Path) -> list[str]:
 
 
 def start(command: list[str]) -> subprocess.Popen[str]:
-    # In a group of its own, so that it can be killed with its workers.
+    # A separate process group can be killed with its workers.
     return subprocess.Popen(
         command, start_new_session=True, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True
     )
@@ -35,7 +35,7 @@ def wait_for(condition: Callable[[], object], process: subprocess.Popen[str]) ->
 
 
 def children(pid: int) -> list[int]:
-    """The processes that a process started, by /proc; without the helper of multiprocessing."""
+    """List the child processes by /proc, without the resource tracker of multiprocessing."""
     found = []
     for path in Path("/proc").glob("[0-9]*/stat"):
         with suppress(OSError):

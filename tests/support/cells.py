@@ -32,7 +32,7 @@ def shape_of(cells: Iterable[Cell]) -> Holed:
 
 
 def grid(*rows: str) -> Holed:
-    """A shape from a drawing with one character per square, the lowest row last."""
+    """Read a shape from a drawing with one character per square, the bottom row last."""
     height = len(rows)
     return shape_of(
         (x, height - 1 - y) for y, row in enumerate(rows) for x, c in enumerate(row) if c == "#"
@@ -40,12 +40,12 @@ def grid(*rows: str) -> Holed:
 
 
 def doubled(cells: Iterable[Cell]) -> set[Cell]:
-    """The same set in squares of half the width."""
+    """Return the same set in squares of half the width."""
     return {(2 * x + dx, 2 * y + dy) for x, y in cells for dx in (0, 1) for dy in (0, 1)}
 
 
 def verdict_by_counting(d: Iterable[Cell], g: Iterable[Cell]) -> str:
-    """The relation of two sets of cells: with a common cell, with a common corner, or apart."""
+    """Return OVERLAP for a common cell, CONTACT for a common corner, FREE otherwise."""
     filled, other = set(d), set(g)
     if filled & other:
         return "OVERLAP"

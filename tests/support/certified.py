@@ -28,7 +28,7 @@ ROOM = Region(
     [(0, 0), (6, 0), (6, 6), (0, 6)],
     [[(1, 1), (2, 1), (2, 2), (1, 2)], [(3, 2), (5, 4), (3, 4)], [(2, 2), (3, 4), (2, 4)]],
 )
-# The square goes into the bay, and sweeps around a hole of it.
+# The square enters the cavity and leaves a hole in the swept area.
 BAY = [(0, 0), (1, 0), (1, 4), (5, 4), (5, 1), (3, 1), (3, 0), (6, 0), (6, 5), (0, 5)]
 HOOK = [(0, 0), (3, 0), (3, 1), (1, 1), (1, 3), (3, 3), (3, 4), (0, 4)]
 PLATE = Region([(0, 0), (9, 0), (9, 9), (0, 9)], [[(4, 4), (5, 4), (5, 5), (4, 5)]])
@@ -36,7 +36,7 @@ PLATE = Region([(0, 0), (9, 0), (9, 9), (0, 9)], [[(4, 4), (5, 4), (5, 5), (4, 5
 
 @cache
 def certificates() -> dict[str, Certificate]:
-    """A certificate of each kind, with exact fits, slits, holes and islands."""
+    """Return a certificate of each kind, with exact fits, slits, holes and islands."""
     made: dict[str, Any] = {
         "CC": sweep(HOUSE, SQUARE),
         "CM": sweep(SQUARE, NOTCHED),
@@ -89,7 +89,7 @@ def layout(
 
 
 def two_ls() -> Certificate:
-    """Two Ls that fill a box of 3 x 2; a third one touches with a slanted edge."""
+    """Return two Ls that fill a 3 by 2 box; a third shape touches with a slanted edge."""
     parts: list[Any] = [{"id": "L", "exterior": L, "demand": 2, "turns": ["0", "180"]}]
     placed = [
         {"part": "L", "turn": "0", "move": ["0", "0"]},
@@ -100,6 +100,6 @@ def two_ls() -> Certificate:
 
 
 def with_faults(certificate: Certificate, *faults: Any) -> Certificate:
-    """The certificate with faults in place of its proof."""
+    """Return the certificate with faults instead of its proof."""
     kept = {key: value for key, value in certificate.items() if key != "proof"}
     return {**kept, "valid": False, "faults": list(faults)}

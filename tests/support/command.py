@@ -20,7 +20,7 @@ ROOT = Path(__file__).parents[2]
 HOUSE = str(Path(__file__).parent / "polygons" / "house.json")
 NOTCH = str(Path(__file__).parent / "polygons" / "notch.wkt")
 EXAMPLE = sweep(GENERATRIX, DIRECTRIX)
-# Seconds to wait for a certain event, far longer than any machine should need.
+# Seconds to wait for an event that must occur, far longer than any machine needs.
 PATIENCE = 600
 SCRIPTS = sysconfig.get_path("scripts")
 EXACTSWEEP = str(Path(SCRIPTS) / "exactsweep")

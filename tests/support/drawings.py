@@ -1,4 +1,4 @@
-"""Part files as CAD and drawing programs write them, each with its areas: drawings.toml."""
+"""Part files as CAD and drawing programs write them, with their areas, from drawings.toml."""
 
 import io
 import tomllib

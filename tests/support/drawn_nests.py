@@ -21,7 +21,7 @@ def _box(x: Decimal, y: Decimal, width: Decimal, height: Decimal) -> Ring:
 
 
 def draw_plates(moved: dict[int, tuple[str, str]] | None = None) -> list[Plate]:
-    """Make twenty plates of 30 x 20 on a grid, 2 apart and 2 from the edge; some are moved."""
+    """Make twenty 30 by 20 plates on a grid, at distance 2 from each other and the edge."""
     plates = []
     for k in range(20):
         dx, dy = map(Decimal, (moved or {}).get(k, ("0", "0")))
@@ -38,7 +38,7 @@ ENGRAVED: Ring = [(Decimal(4), Decimal(12)), (Decimal(8), Decimal(18)), (Decimal
 
 
 def write_dxf(plates: Sequence[Plate], *, engraved: bool = False, sheet: bool = True) -> str:
-    """Write a nest as DXF: each plate and its holes on a layer of its name."""
+    """Write a nest as DXF, with each plate and its holes on the layer of its name."""
     import ezdxf
 
     document = ezdxf.new("R2010", units=4)  # type: ignore[attr-defined]
@@ -63,7 +63,7 @@ def _draw(space: object, ring: Ring, layer: str) -> None:
 
 
 def write_svg(plates: Sequence[Plate], *, engraved: bool = False, sheet: bool = True) -> str:
-    """Write a nest as SVG in millimetres: plates with an id, holes as shapes of their own."""
+    """Write a nest as SVG in millimeters: plates with an id, holes as separate shapes."""
     drawn = [_write_polygon(SHEET, 'id="Sheet"')] if sheet else []
     for plate in plates:
         drawn.append(_write_polygon(plate.outline, f'id="{plate.name}"'))

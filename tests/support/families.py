@@ -27,7 +27,7 @@ Shape = Callable[[random.Random], IntRing]
 
 NEAR = 10**15
 WIDTHS = [[1], [1, 2], [1, 1, 1, 4]]
-# Rows of invertible matrices, one of them turning over.
+# Rows of invertible matrices, one of them orientation-reversing.
 MATRICES = [
     (0, -1, 1, 0),
     (1, 0, 1, 1),
@@ -40,7 +40,7 @@ MATRICES = [
 
 
 class Pair(NamedTuple):
-    """Generatrix and directrix as passed to `sweep`, and a direction in which both are monotone."""
+    """Generatrix and directrix as passed to `sweep`, and their shared direction."""
 
     generatrix: Ring
     directrix: Ring
@@ -50,7 +50,7 @@ class Pair(NamedTuple):
 def convex(
     rng: random.Random, sides: Sequence[int] = (1, 2, 3, 5, 12, 1000), most: int = 14
 ) -> IntRing:
-    """Draw the hull of points of a grid, often with vertical or parallel edges."""
+    """Draw the hull of grid points, often with vertical or parallel edges."""
     return [*draw_convex(_prng(rng), most, rng.choice(sides))]
 
 
@@ -105,7 +105,7 @@ def ripple(rng: random.Random) -> IntRing:
 
 
 def mould(rng: random.Random, ring: IntRing) -> IntRing:
-    """Draw a directrix with dents that fit the top of a generatrix, usually exactly."""
+    """Draw a directrix with notches that fit the top of a generatrix, usually exactly."""
     top = _top_of(ring)
     ground = min(y for _, y in top) - rng.randint(0, 2)
     bottom: IntRing = [(0, ground)]
@@ -141,7 +141,7 @@ CLASSES = ("CC", "CM", "MC", "MM")
 
 
 def random_pair(rng: random.Random, families: Sequence[str] = FAMILIES) -> Pair:
-    """Draw a pair of any class; a ring of M may be convex by chance."""
+    """Draw a pair of any class; an "M" ring may happen to be convex."""
     family = rng.choice(families)
     letters = rng.choice(CLASSES)
     shapes = family if family in CONVEX else rng.choice([*CONVEX][:-1])
@@ -161,7 +161,7 @@ def random_pair(rng: random.Random, families: Sequence[str] = FAMILIES) -> Pair:
 
 
 def place(rng: random.Random, *rings: Ring) -> Pair:
-    """Scale, turn, respell and move both polygons."""
+    """Scale, rotate, rewrite and translate both polygons."""
     placement = rng.choice(["as built", "moved", "huge", "minute", "turned", "respelled"])
     direction = (1, 0)
     if placement in ("huge", "minute"):

@@ -1,4 +1,4 @@
-"""Programs that the tests judge, and cases for them."""
+"""Programs to be judged by tests, and cases for them."""
 
 import json
 import sys

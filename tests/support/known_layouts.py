@@ -1,4 +1,4 @@
-"""Layouts of kinds that the corpus lacks, with verdicts worked out by hand."""
+"""Layouts of kinds that the corpus lacks, with verdicts by hand."""
 
 from fractions import Fraction
 

@@ -1,7 +1,7 @@
 """An adversary against certificates of layouts: `python -m tests.falsify --layouts`.
 
-It moves, turns or mirrors one placement, or changes a number, and lets the finder add the pieces
-and the witnesses; where no normal separates two pieces, it writes the nearest one.
+It translates, rotates or mirrors one placement, or changes a number, and lets the finder add the
+pieces and witnesses; if no normal separates two pieces, it writes the best one.
 """
 
 from __future__ import annotations
@@ -33,7 +33,7 @@ def draw_layouts(rng: Random) -> Iterator[Certificate]:
     for data in (layout.to_json(), disturb(layout.to_json(), rng)):
         try:
             yield json.loads(json.dumps(judge_layout(Layout.from_json(data)).certificate()))
-        except LayoutError:  # everything is undecided
+        except LayoutError:  # all pairs are undecided
             continue
 
 

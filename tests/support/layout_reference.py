@@ -34,7 +34,7 @@ class Truth(NamedTuple):
 
 
 def place(layout: Layout, placement: Placement) -> Region:
-    """The placed part, mirrored, turned and moved vertex by vertex."""
+    """Return the placed part, mirrored, rotated and translated vertex by vertex."""
     (part,) = [one for one in layout.parts if one.id == placement.part]
     cosine, sine, _ = placement.turn.near(BITS)
     dx, dy = placement.move
@@ -47,7 +47,7 @@ def place(layout: Layout, placement: Placement) -> Region:
 
 
 def squared_distance(one: Region, other: Region) -> Fraction:
-    """The least squared distance of the boundaries, by all pairs of edges."""
+    """Return the squared distance of the boundaries, by all pairs of edges."""
     scale = lcm(*(c.denominator for region in (one, other) for p in region.vertices for c in p))
     n, d = 0, 0
     for a, b in product(list_edges(one, scale), list_edges(other, scale)):
@@ -58,7 +58,7 @@ def squared_distance(one: Region, other: Region) -> Fraction:
 
 
 def boxes_apart(one: tuple[Point, Point], other: tuple[Point, Point]) -> Fraction:
-    """The squared distance of two boxes, by their corners."""
+    """Return the squared distance of two boxes."""
     (a, b), (c, d) = one, other
     across = max(a.x - d.x, c.x - b.x, Fraction(0))
     up = max(a.y - d.y, c.y - b.y, Fraction(0))
@@ -155,12 +155,12 @@ def judge_by_definition(layout: Layout) -> Truth:
 
 
 def list_walls(layout: Layout, shapes: Sequence[Region]) -> list[Region]:
-    """The outside of the container in a large frame, and the defects."""
+    """List the complement of the container in a large frame, and the defects."""
     assert isinstance(layout.container, Region)
     corners = [*layout.container.vertices, *(p for shape in shapes for p in shape.vertices)]
     left, right = min(p.x for p in corners), max(p.x for p in corners)
     low, high = min(p.y for p in corners), max(p.y for p in corners)
-    # Moves that are tried do not leave the frame.
+    # Tested moves stay inside the frame.
     room = 2 * (right - left + high - low + layout.margin)
     left, right, low, high = left - room, right + room, low - room, high + room
     frame = [(left, low), (right, low), (right, high), (left, high)]
@@ -217,7 +217,7 @@ def _has_angles(layout: Layout) -> bool:
 def _is_close_call(
     layout: Layout, truth: Truth, walls: list[Region], placements: tuple[int, ...], bound: Fraction
 ) -> bool:
-    """Decide whether a pair is too close to contact or to its spacing for bounds."""
+    """Decide whether a pair is too close to contact or its spacing to be decided by bounds."""
     first = truth.shapes[placements[0]]
     others = [truth.shapes[placements[1]]] if len(placements) > 1 else walls
     asked = layout.spacing if len(placements) > 1 else layout.margin
@@ -270,7 +270,7 @@ def find_wrong_move(layout: Layout, judgement: Judgement, number: int) -> str:
         length, depth = move.x**2 + move.y**2, fault.depth_squared
         if depth is not None and length < depth:
             return f"{fault.kind} {fault.placements}: the move is shorter than the depth"
-        # A repair keeps the distances, too, so it is a shortest move only if there are none.
+        # A repair also keeps the distances, so it is the shortest move only without distances.
         if layout.spacing if fault.kind == "overlap" else layout.margin:
             continue
         if depth not in (None, length):

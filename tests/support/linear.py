@@ -8,8 +8,8 @@ from collections.abc import Callable
 
 def require_linear(action: Callable[[int], object], size: int = 10_000) -> None:
     """Require about eight times the cost for eight times the size; quadratic cost is 64."""
-    # Load on the machine only lengthens runs. The small run is the least of three, so that it
-    # does not excuse a large one; a large run that is too long gets another try.
+    # Load on the machine only lengthens runs. The small run is the minimum of three, so that it
+    # cannot hide a slow large one; a large run that is too long is repeated.
     tries = (
         (_seconds(action, 8 * size), min(_seconds(action, size) for _ in range(3)))
         for _ in range(12)

@@ -55,7 +55,7 @@ FALSE = ("false exact fits",)
 BROKEN = ("malformed",)
 ANY = (*DIFFERS, *BROKEN)
 
-# The message on a wrong loop that is the exact answer to another question.
+# The message if a wrong loop is the exact answer to another question.
 OR_ELSE = "|exact for|itself|hull|bounding box"
 ONE_OFF = "one vertex is wrong"
 LACKS = f"lacks one vertex|lacks vertices{OR_ELSE}"

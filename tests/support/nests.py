@@ -1,7 +1,7 @@
 """One layout as each nesting program writes it: an L and its half turn fill a box of 4 by 3.
 
-The L stands at the origin of the box. The other one is turned by 180 degrees about the origin of
-the part and moved to the opposite corner.
+The L is at the origin of the box. Its copy is rotated by 180 degrees about the origin of the part
+and translated to the opposite corner.
 """
 
 from fractions import Fraction
@@ -11,7 +11,7 @@ Corners = set[tuple[Fraction, Fraction]]
 L: Corners = {
     (Fraction(x), Fraction(y)) for x, y in zip((0, 3, 3, 1, 1, 0), (0, 0, 1, 1, 3, 3), strict=True)
 }
-# The box is 4 wide: between the arms of both there is a gap of 2 by 1.
+# The box is 4 wide, with a 2 by 1 gap between the arms.
 BOX: Corners = {(Fraction(x), Fraction(y)) for x in (0, 4) for y in (0, 3)}
 
 _FOLDER = Path(__file__).with_name("nest_files")

@@ -1,8 +1,8 @@
 """Random layouts of discs, slots, rounded rectangles and polygons near contact, with verdicts.
 
-Every part is convex: hulls with a radius, turned by rational turns, placed one after another at a
-chosen distance from an earlier one, in directions of Pythagorean triples. Closed formulas in
-rational arithmetic, independent of the judge, give the true verdicts.
+Every part is convex: a hull with a radius, at a rational rotation, placed at a chosen distance from
+an earlier part in the direction of a Pythagorean triple. Closed formulas in rational arithmetic,
+independent of the judge, yield the true verdicts.
 """
 
 from __future__ import annotations
@@ -83,7 +83,7 @@ def draw_part(rng: Random, k: int) -> dict[str, Any]:
 
 
 def draw_container(rng: Random, shapes: list[Rounded]) -> dict[str, Any]:
-    """Draw a rectangle or disc that touches a part, nearly does, or has room; or none."""
+    """Draw a rectangle or disc that touches a part, almost or exactly, or is larger; or none."""
     left, low, right, high = bound(shapes)
     off, margin = rng.choice(NEAR), rng.choice([Fraction(0), Fraction(1, 7)])
     match rng.randrange(3):

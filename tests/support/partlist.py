@@ -6,5 +6,5 @@ from exactsweep.formats import NamedPolygon, read_polygons
 
 
 def part_list(count: int) -> list[NamedPolygon]:
-    """Up to 32 parts in equal numbers of each kind, some turned by a multiple of 90 degrees."""
+    """Return up to 32 parts, equally many of each kind, some rotated by multiples of 90 degrees."""
     return read_polygons(Path(__file__).with_name("parts.json"))[:count]

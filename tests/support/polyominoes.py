@@ -1,8 +1,8 @@
 """Polyominoes: shapes of unit squares, with free positions by counting squares.
 
-At a position (x, y) of the integer grid, polyominoes overlap if they share a square; inside a unit
-edge or a unit square of positions, if they do so at one of its corners' neighbours: a square of G
-lies over two squares of D, or four.
+At an integer position (x, y), polyominoes overlap if they share a square. Inside a unit edge or a
+unit square of positions, a square of G lies over two or four squares of D, so they overlap if they
+share a square at one of the integer positions at its ends or corners.
 """
 
 from collections.abc import Iterator
@@ -54,7 +54,7 @@ def region(cells: Cells, matrix: Matrix = (1, 0, 0, 1)) -> Region:
 
 
 def rings(cells: Cells) -> list[list[Cell]]:
-    """The boundary, the exterior first. Where squares touch in a point, rings touch there."""
+    """Return the rings, exterior first; rings touch where squares touch at a point."""
     exterior, holes = shape_of(cells)
     return [[(int(x), int(y)) for x, y in ring.vertices] for ring in (exterior, *holes)]
 
@@ -106,7 +106,7 @@ def free_cells(stationary: Cells, orbiting: Cells) -> tuple[set[Cell], set[Cell]
 
 
 def unit_edges(fit: tuple[Cell, Cell]) -> Iterator[Cell]:
-    """The middles of the unit edges of a fit along the grid, in units of one half."""
+    """Return the midpoints of the unit edges of a fit along the grid, in units of one half."""
     (ax, ay), (bx, by) = sorted(fit)
     for k in range(max(bx - ax, by - ay)):
         yield (2 * ax + 2 * k + 1, 2 * ay) if ay == by else (2 * ax, 2 * ay + 2 * k + 1)

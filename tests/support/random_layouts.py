@@ -24,7 +24,7 @@ Pair = tuple[Fraction, Fraction]
 
 
 def draw_turn(rng: Random, *, exact: bool = False) -> Any:
-    """Draw a rotation: mostly quarters, else a cosine and a sine, or any angle."""
+    """Draw a rotation: usually a multiple of 90 degrees, else a cosine and a sine, or any angle."""
     kind = rng.random()
     if kind < 0.5:
         return rng.choice([0, 90, 180, 270, -90, 450])
@@ -52,7 +52,7 @@ def draw_gap(rng: Random, unit: Fraction) -> Fraction:
 
 
 def lay_jigsaw(rng: Random, scale: Fraction) -> dict[str, Any]:
-    """Lay pieces cut from a sheet, exactly or with one displaced."""
+    """Place pieces cut from a sheet, exactly or with one displaced."""
     *shapes, _ = draw_jigsaw(rng)
     sheet, *pieces = shapes
     parts: list[dict[str, Any]] = []
@@ -97,7 +97,7 @@ def draw_parts(rng: Random, scale: Fraction) -> list[dict[str, Any]]:
 
 
 def lay_rows(rng: Random, scale: Fraction, spacing: Fraction) -> dict[str, Any]:
-    """Lay parts in rows, box to box: touching, at the spacing, or slightly off."""
+    """Place parts in rows, with boxes that touch, keep the spacing, or are slightly off."""
     parts, number = (
         draw_parts(rng, scale),
         rng.choice([2, 2, 3, 4, 5, 6, 8, 13, rng.choice([13, 30, 60])]),
@@ -130,7 +130,7 @@ def lay_rows(rng: Random, scale: Fraction, spacing: Fraction) -> dict[str, Any]:
 
 
 def bounds(part: dict[str, Any], turn: Any, *, mirrored: bool) -> tuple[Pair, Pair]:
-    """The box of a part, mirrored and turned; about, for an angle that is not exact."""
+    """Return the box of a mirrored and rotated part; approximate for inexact angles."""
     region = Region(part["exterior"])
     region = region.mirrored() if mirrored else region
     low, high = region.rotated(tuple(turn) if isinstance(turn, list) else turn, bits=8).bounding_box
@@ -138,7 +138,7 @@ def bounds(part: dict[str, Any], turn: Any, *, mirrored: bool) -> tuple[Pair, Pa
 
 
 def lay_heap(rng: Random, scale: Fraction, _: Fraction) -> dict[str, Any]:
-    """Lay parts anywhere on a small grid."""
+    """Place parts anywhere on a small grid."""
     parts, number = draw_parts(rng, scale), rng.choice([2, 3, 4, 6, 10, 25])
     side = rng.choice([6, 20, 60, 100])
     placements = [
@@ -154,7 +154,7 @@ def lay_heap(rng: Random, scale: Fraction, _: Fraction) -> dict[str, Any]:
 
 
 def put_around(rng: Random, data: dict[str, Any], scale: Fraction, margin: Fraction) -> None:
-    """Give a layout a container: the box of all parts, about, with corners cut and defects."""
+    """Add a container: roughly the box of all parts, with cut corners and defects."""
     by_id = {part["id"]: part for part in data["parts"]}
     xs, ys = [], []
     for one in data["placements"]:

@@ -37,7 +37,7 @@ def list_refusals(file: str) -> list[tuple[str, str]]:
 
 
 def find_refusal(call: str, said: str, names: Mapping[str, Any]) -> str:
-    """Return the error of a call; the given pattern if it matches."""
+    """Return the error of a call, or the given pattern if it matches."""
     found = "no error"
     try:
         eval(call, {**NAMES, **names})
@@ -52,7 +52,7 @@ def require_refused(call: str, said: str, **names: Any) -> None:
     assert find_refusal(call, said, names) == said
 
 
-def refuse_again(path: Path, names: Mapping[str, Any]) -> str:
+def renew_errors(path: Path, names: Mapping[str, Any]) -> str:
     """Return the current text of a refusals.txt."""
 
     def replace(match: re.Match[str]) -> str:

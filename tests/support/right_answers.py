@@ -1,4 +1,4 @@
-"""Spellings of a right answer: any order, orientation and number type, with doubled lines."""
+"""Notations of a right answer: any order, orientation and number type, with doubled lines."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ SUM = "minkowski_sum"
 
 
 class Writing(NamedTuple):
-    """A spelling of an answer.
+    """A notation of an answer.
 
     Attributes:
         rings: writes the rings of a part, given its exact fits; None where it does not apply.
@@ -70,7 +70,7 @@ def turn(ring: Ring, k: int) -> Ring:
 
 
 def keyhole(start: Callable[[Ring], Ring]) -> Callable[[Rings, list[Fit]], Any]:
-    """All rings as one: from its start to the start of each other ring, around it and back."""
+    """Join all rings into one that visits each other ring from its start and returns."""
 
     def change(rings: Rings, fits: list[Fit]) -> Any:
         if len(rings) < 2:
@@ -85,7 +85,7 @@ def keyhole(start: Callable[[Ring], Ring]) -> Callable[[Rings, list[Fit]], Any]:
 
 
 def hand_on(rings: Rings, fits: list[Fit]) -> Any:
-    """All rings as one, each reached from the one before."""
+    """Join all rings into one that visits each ring from the preceding one."""
     if len(rings) < 2:
         return None
     there = [p for ring in rings for p in (*ring, ring[0])]
@@ -120,7 +120,7 @@ def as_rings(*order: int) -> Callable[[Rings, list[Fit]], Any]:
 
 
 def reach_by_fits(rings: Rings, fits: list[Fit]) -> Any:
-    """A ring, along each fit that starts on it to the ring at the other end, and back."""
+    """Extend a ring along each fit that starts on it to the ring at the other end, and back."""
     left = [list(ring) for ring in rings]
     for a, b in fits:
         one = next((ring for ring in left if a in ring), None)
@@ -133,7 +133,7 @@ def reach_by_fits(rings: Rings, fits: list[Fit]) -> Any:
 
 
 def split(rings: Rings, fits: list[Fit]) -> Any:
-    """The region in trapezoids."""
+    """Decompose the region into trapezoids."""
     found = []
     for cell in find_differences(rings, []):
         (low, lower), (high, higher) = cell.low, cell.high
@@ -148,7 +148,7 @@ def split(rings: Rings, fits: list[Fit]) -> Any:
 
 
 def fan(rings: Rings, fits: list[Fit]) -> Any:
-    """A triangle for each edge, all with one vertex in common, which overlap."""
+    """Return overlapping triangles with a common vertex, one for each edge."""
     if not rings:
         return None
     apex = rings[0][0]
@@ -157,7 +157,7 @@ def fan(rings: Rings, fits: list[Fit]) -> Any:
 
 
 def join_touching(rings: Rings, fits: list[Fit]) -> Any:
-    """Rings that have a vertex in common as one."""
+    """Join rings that have a common vertex."""
     left = [list(ring) for ring in rings]
     joined = False
     for ring in list(left):
@@ -173,7 +173,7 @@ def join_touching(rings: Rings, fits: list[Fit]) -> Any:
 
 
 def open_pinches(ulps: int) -> Callable[[Rings, list[Fit]], Any]:
-    """Rings that touch as one, with a neck of a few ulps at the common point."""
+    """Join touching rings by a neck of a few ulps at the common point."""
 
     def change(rings: Rings, fits: list[Fit]) -> Any:
         left = [list(ring) for ring in rings]
@@ -197,7 +197,7 @@ def open_pinches(ulps: int) -> Callable[[Rings, list[Fit]], Any]:
 
 
 def close_pinches(rings: Rings, fits: list[Fit]) -> Any:
-    """Rings that touch, each moved by an ulp at the common point, in different directions."""
+    """Move touching rings by an ulp at the common point, in different directions."""
     shared = {p for k, ring in enumerate(rings) for p in ring for r in rings[:k] if p in r}
 
     def move(p: Point, k: int) -> Point:
@@ -208,7 +208,7 @@ def close_pinches(rings: Rings, fits: list[Fit]) -> Any:
 
 
 def slit(ring: Ring) -> Ring:
-    """A straight slit from the first vertex to another one and back, even outside."""
+    """Add a straight slit from the first vertex to another one and back, even outside."""
     middle = ring[len(ring) // 2]
     return [ring[0], middle, *ring]
 
@@ -340,7 +340,7 @@ def _write(ring: Ring, writing: Writing) -> list[list[object]]:
 
 
 def list_parts(case: Case) -> Iterator[str]:
-    """The parts that an answer to a case may have."""
+    """List the parts that an answer to a case may have."""
     inside = ("inner_fit",) if case.inner_regions is not None else ()
     return chain(("inner", "outer", "no_fit", "minkowski_sum"), inside)
 
@@ -355,7 +355,7 @@ class Conviction(NamedTuple):
 
 
 class JudgedWriting(NamedTuple):
-    """The number of answers judged, and those of them that were convicted."""
+    """The number of judged answers, and those that were rejected."""
 
     number: int
     convicted: list[Conviction]
@@ -364,7 +364,7 @@ class JudgedWriting(NamedTuple):
 def judge_writing(
     writing: Writing, chosen: Iterable[Case], parts: Collection[str] = ()
 ) -> JudgedWriting:
-    """Write parts of exact answers in one spelling, by default all parts, and judge them."""
+    """Write parts of exact answers in one notation, by default all parts, and judge them."""
     hello = Hello("right", numbers=writing.numbers, shapes="any")
     count, convicted = 0, []
     for case in chosen:
@@ -383,7 +383,7 @@ def judge_writing(
 
 
 def _but_fits(name: str, writing: Writing) -> tuple[str, ...]:
-    # Rounded exact fits are none.
+    # Rounding destroys exact fits.
     is_rounded = "within" in writing.verdicts
     return ("equivalent except for exact fits",) if is_rounded and "fit" in name else ()
 

@@ -1,7 +1,7 @@
 """Random discs, slots and rounded rectangles near contact, in SVG, with verdicts.
 
-Each is a point, a segment or a rectangle with a radius: two overlap if the distance of these is
-less than the sum of the radii, which is decided in rational arithmetic.
+Each is a point, a segment or a rectangle with a radius. Two of them overlap if their distance is
+less than the sum of the radii, as decided in rational arithmetic.
 """
 
 from __future__ import annotations

@@ -45,7 +45,7 @@ def draw_piece(rng: Random) -> Rounded:
 
 
 def find_nearest(one: Rounded, other: Rounded) -> tuple[Vertex, Vertex]:
-    """The nearest points of two hulls that are apart."""
+    """Return the nearest points of two disjoint hulls."""
     found = [(p, nearest_on(other.hull, p)) for p in one.hull]
     found += [(nearest_on(one.hull, q), q) for q in other.hull]
     return min(found, key=lambda pair: square(*pair))
@@ -69,7 +69,7 @@ def square(p: Vertex, q: Vertex) -> Fraction:
 
 
 def are_disjoint(one: Rounded, other: Rounded) -> bool:
-    """Return whether two hulls have no point in common; edges and joins give the normals."""
+    """Decide whether two hulls are disjoint, by the normals of edges and of joins."""
     normals = [(q[0] - p[0], q[1] - p[1]) for p, q in product(one.hull, other.hull)]
     for hull in (one.hull, other.hull):
         normals += [(b[1] - a[1], a[0] - b[0]) for a, b in pairwise([*hull, hull[0]])]
@@ -99,7 +99,7 @@ def rounded_layout(
     apart: Sequence[Any] = (),
     **more: Any,
 ) -> Certificate:
-    """The certificate of parts placed as they are, each with rounded pieces."""
+    """Return the certificate of parts at their original positions, each with rounded pieces."""
     parts = [{"id": str(k), "pieces": pieces} for k, pieces in enumerate(bodies)]
     placed = [{"part": part["id"], "move": ["0", "0"]} for part in parts]
     given = {"container": container, "parts": parts, "placements": placed, **more}
@@ -116,7 +116,7 @@ def rounded_layout(
 
 
 def of_pair(one: Rounded, other: Rounded, room: Fraction) -> tuple[Certificate, bool]:
-    """The certificate of two pieces whose hulls are disjoint, and whether it is true."""
+    """Return the certificate of two pieces with disjoint hulls, and whether it is true."""
     (a, b), (c, d) = find_nearest(one, other)
     normal = [0, 0, 1, 0, str(c - a), str(d - b)]
     found = rounded_layout([[one.written()], [other.written()]], apart=[normal], spacing=str(room))
@@ -124,11 +124,11 @@ def of_pair(one: Rounded, other: Rounded, room: Fraction) -> tuple[Certificate, 
     return found, square((a, b), (c, d)) >= total * total
 
 
-# --- Layouts of rounded pieces, and whether they are what a certificate says --------------------
+# --- Layouts of rounded pieces, compared with their certificates --------------------------------
 
 
 def draw_rounded(rng: Random) -> Iterator[Certificate]:
-    """Draw certificates of layouts that differ in a tiny move, in a disc or without a container."""
+    """Draw certificates of layouts that differ by a tiny move, in a disc or without container."""
     spacing = Fraction(rng.choice([0, 0, 1]), rng.choice([1, 3]))
     one, other = draw_pair(rng, spacing)
     far = one.moved((Fraction(rng.randrange(-40, -20)), Fraction(rng.randrange(30))))
@@ -206,7 +206,7 @@ def is_in_disc(body: Rounded, disc: Any) -> bool:
 
 
 def is_true_rounded(certificate: Certificate, _: object) -> bool:
-    """Decide by distances whether a layout is valid, or has all the faults that are listed."""
+    """Decide by distances whether a layout is valid, or has all listed faults."""
     given = certificate["layout"]
     if given.get("defects") or Fraction(given.get("margin") or 0):
         return False

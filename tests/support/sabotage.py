@@ -1,9 +1,8 @@
 """Faults injected into the kernel, each with the rows of the ledger that must detect it.
 
-A sabotage is a function that takes a right procedure and returns a wrong one, which replaces it in
-every module of the package that imports it by name. Some faults show only in seconds; these are
-timed, in a full run of their rows, and are not in the test suite.
-`sabotage.toml` lists rows by fault.
+A sabotage is a function that maps a right procedure to a wrong one, which replaces it in every
+module of the package that imports it by name. Some faults only affect the time; they need full runs
+of their rows and are not in the test suite. `sabotage.toml` lists rows by fault.
 """
 
 import sys
@@ -21,7 +20,7 @@ from exactsweep.paper.ledger import CHECKS, CLAIMS, find, read_rows
 Procedure = Callable[..., Any]
 Sabotage = Callable[[Procedure], Procedure]
 
-# A module that is first imported while the kernel is broken would keep the wrong procedure.
+# Import all modules first: a module imported while the kernel is broken would keep the fault.
 for row in read_rows():
     for name in [*row.get("laws", ()), *([row["check"]] if "check" in row else [])]:
         resolve_name(f"{CHECKS}.{name.split('.')[0]}")
@@ -48,7 +47,7 @@ def sabotage(
 ) -> Callable[[Sabotage], Sabotage]:
     """Register a function as a sabotage of a procedure that some rows must detect.
 
-    These are the rows of the fault in `sabotage.toml`, unless they are given.
+    By default, these are the rows of the fault in `sabotage.toml`.
     """
 
     def register(wrong: Sabotage) -> Sabotage:
@@ -80,7 +79,7 @@ def mutated(mutation: Mutation) -> Iterator[None]:
 
 
 def red_rows(mutation: Mutation, effort: Effort, names: tuple[str, ...] = ()) -> list[str]:
-    """The rows, of all or of those named, whose evidence fails under a mutation."""
+    """Return the rows, by default among all, whose evidence fails under a mutation."""
     claims = [find(name) for name in names] or CLAIMS
     with mutated(mutation):
         return [row.claim.name for row in reproduce(claims, effort) if row.disagreement]

@@ -29,8 +29,8 @@ Rings = Sequence[Ring]
 
 
 def differs(case: Case) -> list[str]:
-    """The answers of the program that differ."""
-    # Move both to the origin and scale them to size one: the program checks its input with doubles.
+    """List the answers in which the program differs."""
+    # Translate both to the origin and scale them to size 1: the program checks input in doubles.
     (at_dx, at_dy), (at_gx, at_gy) = case.directrix.vertices[0], case.generatrix.vertices[0]
     d = [[(x - at_dx, y - at_dy) for x, y in ring] for ring in case.directrix.rings]
     g = [[(x - at_gx, y - at_gy) for x, y in ring] for ring in case.generatrix.rings]
@@ -47,7 +47,7 @@ def differs(case: Case) -> list[str]:
     exterior, *holes = _sum(d, inverse[:1])
     if len(inverse) > 1:
         holes += _sum(inverse, d[:1])[1:]
-    # The library also reports a hole where one polygon lies in the other, or in a gap of it.
+    # The library also reports a hole if one polygon lies inside the other, or in a gap of it.
     holes = [hole for hole in holes if _is_hole(d, g, hole)]
     # Its own collinear vertices crash the library.
     path = Polygon(exterior).vertices
@@ -83,7 +83,7 @@ def _inside(ring: Ring, moving: Ring) -> list[Ring]:
 
 
 def _is_hole(d: Rings, g: Rings, ring: Ring) -> bool:
-    """Decide whether there is room inside, and no overlap at a vertex."""
+    """Decide whether a hole has an interior, and no overlap at a vertex."""
     stays, moves = Region(d[0], d[1:]), Region(g[0], g[1:])
     is_free = classify(stays, moves, _point_inside(ring)).verdict == "FREE"
     return is_free and all(classify(stays, moves, t).verdict != "OVERLAP" for t in ring)

@@ -28,7 +28,7 @@ class ShapePair(NamedTuple):
 
 
 def untangled(rng: Random, most: int = 12, side: int = 9) -> Polygon:
-    """A random simple polygon: reverse parts of a random tour until no edges cross."""
+    """Draw a simple polygon by reversing parts of a random tour until no edges cross."""
     while True:
         n = rng.randint(3, most)
         points = [(rng.randint(0, side), rng.randint(0, side)) for _ in range(n)]
@@ -39,7 +39,7 @@ def untangled(rng: Random, most: int = 12, side: int = 9) -> Polygon:
 
 
 def draw_radial_pair(random: Prng) -> any_shape.Regions:
-    """Two polygons with corners all round, one in each direction."""
+    """Draw two star-shaped polygons with a vertex in each direction."""
 
     def draw_radial() -> Region:
         n, size = random.between(5, 14), random.choice([9, 30, 1000])

@@ -1,4 +1,4 @@
-"""Shapes of any kind, with holes, caves and slots, on grids so small that they fit each other."""
+"""Shapes of any kind, with holes, cavities and slots, on grids so small that they often fit."""
 
 from fractions import Fraction
 
@@ -15,13 +15,13 @@ SCALES = [Fraction(1), Fraction(2, 3), Fraction(10**30), Fraction(1, 10**30)]
 
 
 def polyominoes(most: int = 14) -> st.SearchStrategy[Cells]:
-    """Connected sets of cells, with holes and corners that touch."""
+    """Draw connected sets of cells, with holes and touching corners."""
     return st.lists(st.integers(0, 30), max_size=most - 1).map(grow)
 
 
 @st.composite
 def ringed(draw: st.DrawFn) -> Cells:
-    """A frame of cells, some cells inside, connected to it."""
+    """Draw a frame of cells, with some cells inside that are connected to it."""
     width, height = draw(st.integers(3, 6)), draw(st.integers(3, 6))
     cells = {(x, y) for x in range(width) for y in range(height)}
     inside = sorted(c for c in cells if 0 < c[0] < width - 1 and 0 < c[1] < height - 1)
@@ -35,7 +35,7 @@ def cell_sets() -> st.SearchStrategy[Cells]:
 
 @st.composite
 def shape_pairs(draw: st.DrawFn) -> tuple[Holed, Holed]:
-    """Two polyominoes under one shear and scale, or two simple polygons."""
+    """Draw two polyominoes with a common shear and scale, or two simple polygons."""
     if draw(st.integers(0, 3)) == 0:
         return Holed(draw(simple_polygons())), Holed(draw(simple_polygons()))
     matrix, scale = draw(st.sampled_from(SHEARS)), draw(st.sampled_from(SCALES))

@@ -1,4 +1,4 @@
-"""The shipped corpus, read once in a process."""
+"""The shipped corpus, read once per process."""
 
 from functools import cache
 

@@ -20,10 +20,10 @@ from exactsweep.geometry.vectors import find_hull
 Ring = list[tuple[Any, Any]]
 Shape = list[Ring]
 Draw = Callable[[Random], Shape]
-FARTHEST = 2**40  # from the origin, along either axis
+FARTHEST = 2**40  # the maximum distance from the origin along either axis
 SMALL = 14
 TABLE = 3000  # shapes that are monotone in no direction
-FACTOR = 2**34  # beyond what the kernel rounds slopes and places to
+FACTOR = 2**34  # beyond the precision to which the kernel rounds slopes and parameters
 
 
 class SmallPair(NamedTuple):
@@ -60,7 +60,7 @@ def tangle(rng: Random) -> Shape:
 
 
 def clump(rng: Random) -> Shape:
-    """A few squares, perhaps around a hole."""
+    """Draw a few squares, perhaps around a hole."""
     return _rings(trace_outline(grow(rng.randrange(10**6) for _ in range(rng.randint(3, 12)))))
 
 
@@ -79,7 +79,7 @@ def _bent(number: int) -> Shape:
 
 
 def standing(rng: Random) -> Shape:
-    """A polygon that is monotone in Y."""
+    """Draw a polygon that is monotone in Y."""
     return _turned(rng.choice(MONOTONE)(rng), TURNS[0])
 
 
@@ -108,7 +108,7 @@ STRETCHED = [
 
 
 def draw(rng: Random) -> SmallPair:
-    """A pair of any class but SS, perhaps rotated by quarter turns, mirrored or scaled."""
+    """Draw a pair of any class but SS, perhaps rotated by multiples of 90 degrees or scaled."""
     return _placed(rng, _draw_pair(rng, CLASSES))
 
 
@@ -129,11 +129,11 @@ def draw_touching(rng: Random) -> SmallPair:
 
 
 def draw_around(rng: Random) -> SmallPair:
-    """A container with defects, and a part with holes that may go around some of them."""
+    """Draw a container with defects, and a part with holes that may enclose some of them."""
     side = rng.randint(3, 5)
     while len(part := _cut_out(rng, side, rng.randint(side - 2, side), rng.randint(1, 3))) == 1:
         pass
-    # Farther from the walls than the part is wide, defects make islands of overlap.
+    # Defects create islands of overlap if their distance from the walls exceeds the part's width.
     margin = rng.choice([0, side, side + 1])
     width, holes = 2 * margin + rng.randint(side + 1, 2 * side), rng.randint(1, 5)
     container = _cut_out(rng, width, rng.randint(1, 2), holes, margin)
@@ -215,9 +215,9 @@ def _turned(shape: Shape, matrix: tuple[int, int, int, int]) -> Shape:
 
 
 def breed(rng: Random, pair: SmallPair) -> SmallPair:
-    """A pair that differs from another one in one to three places.
+    """Apply one to three mutations to a pair.
 
-    Shapes with holes are only scaled, or given to the other polygon.
+    Shapes with holes are only scaled or exchanged.
     """
     for _ in range(8):
         shapes = [[list(ring) for ring in shape] for shape in pair]

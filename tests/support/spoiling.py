@@ -1,4 +1,4 @@
-"""Functions that spoil an exact answer.
+"""Functions that change an exact answer into a wrong one.
 
 Each maps a case, as the program gets it, and its exact answer, rings by part, to a wrong answer, or
 to None if it does not apply.
@@ -33,7 +33,7 @@ PARTS = {part: (part, FITS_OF[part]) for part in ("no_fit", "inner_fit")} | {
 
 
 def answer_exactly(case: Case, part: str) -> Answer:
-    """The exact answer of a case."""
+    """Return the exact answer of a case."""
     return {name: [list(ring) for ring in list_exact_rings(case, name)] for name in PARTS[part]}
 
 
@@ -86,7 +86,7 @@ def refer_to(part: str, point: Callable[[Case], Sequence[Any]]) -> Change:
 
 
 def turn(part: str, a: int, b: int, c: int, d: int) -> Change:
-    """The positions of G's origin in other axes, about the reference point."""
+    """Apply a matrix to the positions of G's origin, about the reference point."""
 
     def mapping(case: Case) -> Callable[[Any, Any], Any]:
         u, v = case.reference
@@ -124,7 +124,7 @@ def box(loop: Sequence[Point]) -> Ring:
 
 
 def turns(loop: Ring) -> list[Any]:
-    """Twice the signed area of each vertex's triangle with its neighbours."""
+    """Return twice the signed area of each vertex's triangle with its neighbors."""
     found = []
     for k, (x, y) in enumerate(loop):
         (px, py), (qx, qy) = loop[k - 1], loop[(k + 1) % len(loop)]
@@ -133,7 +133,7 @@ def turns(loop: Ring) -> list[Any]:
 
 
 def if_simple(found: Ring, loop: Ring) -> Ring:
-    """The changed loop if it is simple, else the original one."""
+    """Return the changed loop if it is simple, else the original one."""
     try:
         Polygon(found)
     except ValueError:
@@ -142,7 +142,7 @@ def if_simple(found: Ring, loop: Ring) -> Ring:
 
 
 def lose(sign: int, choose: Callable[[list[int], list[Any]], int]) -> Callable[[Ring], Ring]:
-    """Lose one vertex that turns to a side: for -1 a notch, into which G can slide."""
+    """Drop a vertex with a turn to one side; for -1, a notch into which G can slide."""
 
     def change(loop: Ring) -> Ring:
         sizes = turns(loop)
@@ -155,7 +155,7 @@ def lose(sign: int, choose: Callable[[list[int], list[Any]], int]) -> Callable[[
 
 
 def push(sign: int, share: str) -> Callable[[Ring], Ring]:
-    """Move the first vertex that turns to a side away from the middle of its neighbours."""
+    """Move the first vertex with a turn to one side away from the midpoint of its neighbors."""
 
     def change(loop: Ring) -> Ring:
         k = next((k for k, size in enumerate(turns(loop)) if size * sign > 0), None)
@@ -170,7 +170,7 @@ def push(sign: int, share: str) -> Callable[[Ring], Ring]:
 
 
 def where(condition: Callable[[Case], bool], change: Change) -> Change:
-    """A mistake that affects only some input."""
+    """Apply a mistake to some inputs only."""
     return lambda case, answer: change(case, answer) if condition(case) else None
 
 
@@ -179,7 +179,7 @@ def has(flag: str) -> Callable[[Case], bool]:
 
 
 def each(change: Callable[[Any], Any]) -> Change:
-    """A change of all numbers of the loops."""
+    """Change all numbers of the loops."""
     return lambda case, answer: (
         answer
         | {
@@ -200,7 +200,7 @@ def to_float32(c: Any) -> float:
 
 
 def one_unit_too_far(case: Case, answer: Answer) -> Answer:
-    """Floats whose first vertex is off by one unit in the last place more than granted."""
+    """Return floats whose first vertex exceeds the permitted error by one ulp."""
     (exact,) = answer["trajectory"]
     loop = [(float(x), float(y)) for x, y in exact]
     granted = grant_rounding(case, "trajectory", read_loop(loop, ""), "binary64")
@@ -212,7 +212,7 @@ def one_unit_too_far(case: Case, answer: Answer) -> Answer:
 
 
 def far(*places: tuple[int, int]) -> Callable[[Case], Ring]:
-    """Points far to the right of all polygons."""
+    """Return points far to the right of all polygons."""
 
     def find(case: Case) -> Ring:
         low, high = case.outer.bounding_box
@@ -223,7 +223,7 @@ def far(*places: tuple[int, int]) -> Callable[[Case], Ring]:
 
 
 def inside(case: Case) -> Ring:
-    """A small triangle inside the trajectory, at an ear of it."""
+    """Return a small triangle inside the trajectory, at one of its ears."""
     ring = case.trajectory.vertices
     for k, b in enumerate(ring):
         a, c = ring[k - 1], ring[(k + 1) % len(ring)]
@@ -237,7 +237,7 @@ def inside(case: Case) -> Ring:
 
 
 def along(part: str) -> Callable[[Case], Ring | None]:
-    """Half of an edge of the last ring."""
+    """Return half of an edge of the last ring."""
 
     def find(case: Case) -> Ring | None:
         if not (rings := list_exact_rings(case, part)):
@@ -249,7 +249,7 @@ def along(part: str) -> Callable[[Case], Ring | None]:
 
 
 def within(part: str) -> Callable[[Case], Ring | None]:
-    """A segment well inside a hole, or inside a region with play."""
+    """Return a segment in the interior of a hole or of a region."""
 
     def find(case: Case) -> Ring | None:
         rings = list_exact_rings(case, part)
@@ -264,7 +264,7 @@ def within(part: str) -> Callable[[Case], Ring | None]:
 
 
 def lengthen(share: Fraction) -> Callable[[list[Ring]], list[Ring]]:
-    """Move the second end of the first exact fit that is no point along it."""
+    """Move the second end of the first exact fit of positive length along the fit."""
 
     def change(fits: list[Ring]) -> list[Ring]:
         changed = [[p, q] for p, q in fits]
@@ -279,7 +279,7 @@ def lengthen(share: Fraction) -> Callable[[list[Ring]], list[Ring]]:
 
 
 def go_stale(last: dict[str, Answer]) -> Change:
-    """A program that repeats its previous answer."""
+    """Simulate a program that repeats its previous answer."""
 
     def change(case: Case, answer: Answer) -> Answer | None:
         found = last.get("answer")

@@ -1,8 +1,8 @@
 """Polygons of every class, valid by construction, many of them degenerate.
 
-Everything here yields a `Polygon`, or a pair of them; nothing is filtered. The seeded families
-build shapes on a small integer grid, where features meet often. The shapes are then scaled
-by 10**-30 to 10**30 and translated.
+All strategies yield a `Polygon` or a pair, without filtering. The seeded families build shapes on a
+small integer grid, where features often coincide, and then scale them by 10**-30 to 10**30 and
+translate them.
 """
 
 from collections.abc import Callable, Sequence
@@ -50,7 +50,7 @@ def seeded(*makers: Callable[[Random], Any]) -> st.SearchStrategy[Any]:
 
 
 def convex_rings() -> st.SearchStrategy[Ring]:
-    """Hulls of random points, or of a line of nearly parallel steps."""
+    """Draw hulls of random points, or of nearly parallel steps."""
     return seeded(families.convex, families.convex, families.fan)
 
 
@@ -116,7 +116,7 @@ def convex_polygons() -> st.SearchStrategy[Polygon]:
 
 
 def monotone_polygons() -> st.SearchStrategy[Polygon]:
-    """Weakly x-monotone."""
+    """Draw weakly X-monotone polygons."""
     return _polygons(monotone_rings())
 
 
@@ -150,7 +150,7 @@ def _grid_shifts(scale: Fraction) -> st.SearchStrategy[tuple[Fraction, Fraction]
 
 
 def spellings(polygon: Polygon) -> st.SearchStrategy[families.Ring]:
-    """Draw spellings: first vertex, orientation, closed, repeated and collinear vertices."""
+    """Draw notations: first vertex, orientation, closing, repeated and collinear vertices."""
     return seeded(lambda random: families.respelled(random, [*polygon.vertices]))
 
 

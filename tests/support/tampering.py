@@ -1,4 +1,4 @@
-"""Values at places of a certificate: read one, or copy the certificate with another one."""
+"""Values in a certificate by path: read one, or copy the certificate with another value."""
 
 import copy
 from collections.abc import Iterable, Sequence
@@ -12,7 +12,7 @@ def get(item: Any, path: Iterable[Any]) -> Any:
 
 
 def put(item: Any, path: Sequence[Any], value: Any) -> Any:
-    """Copy a certificate, or a part, with another value at one place."""
+    """Copy a certificate, or a part of it, with another value at a path."""
     changed = copy.deepcopy(item)
     get(changed, path[:-1])[path[-1]] = value
     return changed

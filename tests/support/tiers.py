@@ -17,6 +17,6 @@ def examples(many: int) -> settings:
 
 
 def mostly_long(names: Collection[object], plain: Collection[object]) -> list[object]:
-    """Mark all parameters but some for the long run."""
+    """Mark all parameters except some for the long run."""
     assert {*plain} <= {*names}
     return [name if name in plain else pytest.param(name, marks=pytest.mark.long) for name in names]

@@ -69,7 +69,7 @@ def _pass(folder: str) -> bool:
     except subprocess.TimeoutExpired:
         return False
     finally:
-        # A checker that a test started may not end either.
+        # A checker started by a test may not terminate either.
         with suppress(ProcessLookupError):
             os.killpg(run.pid, signal.SIGKILL)
         run.wait()

@@ -1,7 +1,7 @@
 """The extracted checker with one side of one conjunction dropped, and claims that show it.
 
-All conjunctions get numbers in one program. It reports the dropped sides that change the answer to
-a claim: it tries those whose value decides a conjunction, each until a claim shows it.
+A single program numbers all conjunctions and reports the dropped sides that change the answer to a
+claim. It tries only sides whose value decides a conjunction, each until a claim reveals it.
 """
 
 from __future__ import annotations
@@ -99,7 +99,7 @@ def find_noticed(program: Path, lines: Iterable[str]) -> list[set[int]]:
 
 
 def change_words(line: str, rng: Random, times: int) -> Iterator[str]:
-    """Yield a claim with one number or two neighbours changed."""
+    """Yield a claim with one number or two adjacent numbers changed."""
     words = line.split()
     for _ in range(times):
         changed, k = list(words), rng.randrange(1, len(words))
@@ -112,7 +112,7 @@ def change_words(line: str, rng: Random, times: int) -> Iterator[str]:
         elif kind == 2 and k > 1:
             changed[k - 1 : k + 1] = changed[k - 1 : k + 1][::-1]
         elif kind == 3 and words[k][:2] == "0/":
-            changed[k] = "1/3"  # 0 at a denominator that is no multiple of 3
+            changed[k] = "1/3"  # 0 for a denominator that is not a multiple of 3
         elif "/" not in words[k]:
             changed[k] = str(int(words[k]) + rng.choice([-2, -1, 1, 2, -2 * int(words[k])]))
         if changed != words:
@@ -130,7 +130,7 @@ def disc(x: int, y: int, radius: str) -> dict[str, Any]:
 
 
 def list_layouts() -> Iterator[dict[str, Any]]:
-    """List small layouts, in which most conditions decide alone."""
+    """List small layouts, in which most conditions alone decide the answer."""
     unit = {"id": "a", "exterior": square(0, 0)}
     box = {"exterior": square(0, 0, 3)}
     one = [{"part": "a", "move": ["1", "1"]}]
@@ -177,7 +177,7 @@ def list_claims() -> list[str]:
     """Return small claims of all kinds."""
     found = list[Any]()
     for layout in list_layouts():
-        with suppress(LayoutError):  # nothing is proved about it
+        with suppress(LayoutError):  # claims without a proof
             found.append(judge_layout(Layout.from_json(layout)).certificate())
     shapes = [square(0, 0), [["0", "0"], ["2", "0"], ["1", "2"]], square(0, 0, 2)]
     cave = [

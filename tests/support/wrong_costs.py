@@ -15,7 +15,7 @@ Waste = Callable[..., object]
 
 
 def before(waste: Waste) -> Sabotage:
-    """Do useless work on the arguments first, and keep its result meanwhile."""
+    """Do useless work on the arguments first, and keep its result during the run."""
 
     def wrong(right: Procedure) -> Procedure:
         def procedure(*arguments: Any) -> Any:
@@ -58,7 +58,7 @@ def repeated(times: Callable[[int], int]) -> Sabotage:
 
 
 def restart(right: Procedure) -> Procedure:
-    """Run for the beginnings of the last argument, too."""
+    """Also run for the prefixes of the last argument."""
 
     def procedure(*arguments: Any) -> Any:
         points = [*arguments[-1]]
@@ -77,7 +77,7 @@ def compare_all(first: Any, second: Any) -> None:
 
 
 def measure(chains: Any) -> int:
-    """Count the vertices of some chains."""
+    """Count the vertices of chains."""
     return sum(len(c.vertices) for c in chains)
 
 

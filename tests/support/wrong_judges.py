@@ -1,4 +1,4 @@
-"""Judges with one plausible mistake each; cases by hand must detect all."""
+"""Judges with one plausible mistake each; known layouts must detect all of them."""
 
 from collections.abc import Callable, Iterable
 from dataclasses import replace
@@ -41,7 +41,7 @@ def without(answer: Answer, *kinds: str) -> Answer:
 
 
 def turned_back(turn: Turn) -> Turn:
-    """The same angle clockwise."""
+    """Return the same angle clockwise."""
     if turn.degrees is not None:
         return read_turn(-turn.degrees)
     assert turn.exact is not None
@@ -61,7 +61,7 @@ def asks_for_more_than_the_margin(layout: Layout) -> Answer:
 
 @wrong
 def allows_a_tolerance(layout: Layout) -> Answer:
-    """Compares distances as doubles are compared."""
+    """Compares distances with a tolerance, as for doubles."""
     return right(replace(layout, spacing=max(Fraction(0), layout.spacing - TOLERANCE)))
 
 
@@ -139,7 +139,7 @@ def fills_the_holes_of_parts(layout: Layout) -> Answer:
 
 @wrong
 def takes_no_holes_of_rings_into_account_for_distances(layout: Layout) -> Answer:
-    """Does not measure the distance of a part in a hole from the ring around it."""
+    """Ignores the distance of a part in a hole from the ring around it."""
     shapes = place_all(layout)
     answer = right(layout)
     return [
@@ -224,7 +224,7 @@ def takes_demand_for_a_limit(layout: Layout) -> Answer:
 
 @wrong
 def allows_quarters_wherever_a_turn_is_allowed(layout: Layout) -> Answer:
-    """Takes the list of turns for steps of which all multiples are allowed."""
+    """Treats the list of rotations as steps, all multiples of which are allowed."""
     quarters = tuple(map(read_turn, (0, 90, 180, 270)))
     return right(
         with_parts(

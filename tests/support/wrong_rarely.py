@@ -1,4 +1,4 @@
-"""Sabotages of the paper's procedures that show only at large sizes or in rare places."""
+"""Sabotages of the paper's procedures that affect only large sizes or rare cases."""
 
 from itertools import pairwise
 from typing import Any

@@ -50,7 +50,7 @@ def places(flat: list[float]) -> list[tuple[float, float]]:
 
 @examples(30)
 @given(any_pair)
-def test_stops_run_once_round_and_hold_all_landmarks(pair: tuple[Polygon, Polygon]) -> None:
+def test_stops_go_once_around_and_include_all_landmarks(pair: tuple[Polygon, Polygon]) -> None:
     s = sweep(*pair, reference=(3, "1/7"))
     found = find_stops(s)
     assert [stop.position for stop in found if stop.vertex is not None] == list(
@@ -66,7 +66,7 @@ def test_stops_run_once_round_and_hold_all_landmarks(pair: tuple[Polygon, Polygo
 
 @examples(30)
 @given(any_pair)
-def test_contacts_between_and_at_stops_are_true(pair: tuple[Polygon, Polygon]) -> None:
+def test_contacts_between_and_at_stops_are_correct(pair: tuple[Polygon, Polygon]) -> None:
     s = sweep(*pair)
     found = find_stops(s)
     for stop, following in list(zip(found, found[1:] + found[:1], strict=True))[:12]:
@@ -75,7 +75,7 @@ def test_contacts_between_and_at_stops_are_true(pair: tuple[Polygon, Polygon]) -
         assert without_parts(s, here) == set(stop.contacts)
 
 
-def test_two_vertices_that_meet_on_the_way_make_a_stop() -> None:
+def test_a_meeting_of_two_vertices_is_a_stop() -> None:
     # One peak of D slides along a flat edge of G; halfway, another one meets a peak of G.
     roof = [(0, -20), (10, -20), (10, -12), (8, 1), (6, -12), (4, 0), (0, 0)]
     peaks = [(-20, 30), (0, 0), (3, 20), (6, 1), (20, 30), (20, 31), (-20, 31)]
@@ -94,7 +94,7 @@ def test_two_vertices_that_meet_on_the_way_make_a_stop() -> None:
         ("_MAX_TESTS", len(Meetings(EXAMPLE).translations) * len(EXAMPLE.trajectory)),
     ],
 )
-def test_large_sweeps_say_that_vertices_that_meet_make_no_stops(
+def test_large_sweeps_state_that_meetings_are_not_stops(
     monkeypatch: pytest.MonkeyPatch, limit: str, most: int
 ) -> None:
     monkeypatch.setattr(f"exactsweep.view.data.{limit}", most)
@@ -119,7 +119,7 @@ def test_the_page_places_g_exactly(pair: tuple[Polygon, Polygon]) -> None:
         ):
             shown = px + qx, py + qy
             exact = scale.place(Point(gx + tx - x, gy + ty - y))
-            # Two places, each rounded once, and their sum.
+            # The sum of two coordinates, each rounded once.
             for a, b, parts in zip(shown, exact, ((px, qx), (py, qy)), strict=True):
                 assert abs(Fraction(a) - Fraction(b)) <= 2 * ulp(max(1.0, *map(abs, parts)))
 
@@ -131,7 +131,7 @@ def test_features_have_the_numbers_of_the_input() -> None:
     assert data["generatrix"]["edges"] == [4, 3, 2, 1, 0]
 
 
-def test_the_page_needs_nothing_else() -> None:
+def test_the_page_is_self_contained() -> None:
     text = make_page(EXAMPLE)
     assert not re.search(r'(?:src|href|url)\s*[=(]\s*["\']?(?!data:|#)[\w/.]', markup(text))
     assert "@import" not in text
@@ -142,7 +142,7 @@ def test_the_page_needs_nothing_else() -> None:
 
 
 def markup(text: str) -> str:
-    """The page without what is inside its scripts."""
+    """The page without the contents of its scripts."""
     return re.sub(r"(<script[^>]*>).*?</script>", r"\1</script>", text, flags=re.S)
 
 
@@ -209,8 +209,8 @@ def test_the_command_writes_a_page(tmp_path: Path) -> None:
     assert refusal(run("view", "-o", str(nowhere))) == f"{nowhere}: No such file or directory"
 
 
-def test_vertices_meet_though_there_is_no_common_lattice() -> None:
-    """Off-lattice coordinates keep their fractional part (they were once truncated)."""
+def test_vertices_meet_without_a_common_lattice() -> None:
+    """Off-lattice coordinates keep their fractional part, which was once truncated."""
     thin = [Fraction(1, 10**900 + k) for k in range(8)]
     block = [(thin[0], thin[1]), (3 + thin[2], thin[1]), (3 + thin[2], 2 + thin[3])]
     s = sweep([(0, 0), (1 + thin[4], 0), (1 + thin[4], 1 + thin[5]), (thin[6], 1)], block)

@@ -1,4 +1,4 @@
-"""The interactive page in a real browser: Debian's Chromium, if there is one."""
+"""The interactive page in a real browser: Debian's Chromium, if installed."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ PARTS = 1_000_000
 
 
 def assert_in_place(shown: Shown, s: Sweep, position: Point) -> None:
-    """G is drawn where it is, each coordinate rounded as floats are."""
+    """Require that G is drawn at its position, with each coordinate rounded to a float."""
     scale = Scale.of(s.outer.vertices, trace_anchor(s).vertices)
     assert shown.position == position
     exact = [
@@ -60,7 +60,7 @@ def test_the_slider_moves_g_to_exactly_the_right_place(show: Open, factor: Fract
 def test_g_is_painted_at_its_position(show: Open) -> None:
     shown = show(EXAMPLE)
     away = shown.colors()
-    # Below D; the corners on the right are far from all that is painted for the contact.
+    # Below D; the corners on the right are far from the marks of the contact.
     shown.slide(PARTS + PARTS // 2)
     here = shown.colors()
     corners = shown.pixels
@@ -109,7 +109,7 @@ def test_dragging_slides_g_along_the_trajectory(show: Open) -> None:
     mouse.down()
     on_path = []
     for k in range(1, 13):
-        # Straight to the right, as if D were not in the way: G goes along below it.
+        # Drag straight to the right, through D: G slides along below it.
         mouse.move(x + k * unit / 3, y + unit)
         shown.settle()
         on_path.append(shown.position)
@@ -157,7 +157,7 @@ def test_a_tap_shows_the_tip_of_a_feature(show: Open) -> None:
     assert shown.text("pointed").startswith("exact fit 0: ")
 
 
-def test_vertices_of_g_tell_their_exact_place_between_stops(show: Open) -> None:
+def test_vertices_of_g_have_exact_coordinates_between_stops(show: Open) -> None:
     shown = show(scale_example(Fraction(10**30)))
     shown.slide(PARTS + PARTS // 4)
     tip = shown.hover(*shown.pixels[3])

@@ -9,7 +9,7 @@ COMPASS = [(x, y) for x, y in product(range(-2, 3), repeat=2) if 2 in (abs(x), a
 
 
 def test_an_edge_faces_the_corners_that_lie_to_its_right() -> None:
-    """Corners that are convex, with both of their edges to the right of the edge or along it."""
+    """These corners are convex, with both edges to the right of the edge or along it."""
     # Edge 2 k leads to point k of the compass, and the next one back.
     rose = Outline([[(5, 5), (5 + x, 5 + y)] for x, y in COMPASS])
     for forward, back in product(COMPASS, repeat=2):

@@ -55,7 +55,7 @@ def test_the_page_finds_all_contacts_at_a_stop(
 
 
 @pytest.mark.long
-def test_arrows_move_g_once_it_was_dragged(show: Open) -> None:
+def test_arrows_move_g_after_a_drag(show: Open) -> None:
     shown = show(EXAMPLE)
     shown.tab.focus("#top")
     start, before = shown.position, shown.pixels
@@ -84,7 +84,7 @@ def test_arrows_move_g_once_it_was_dragged(show: Open) -> None:
 
 
 @pytest.mark.long
-def test_a_grid_can_be_put_away(show: Open) -> None:
+def test_the_grid_can_be_hidden(show: Open) -> None:
     shown = show(EXAMPLE)
     shown.tab.focus("#top")
     shown.tab.mouse.move(1, 1)
@@ -119,7 +119,7 @@ def test_y_may_point_down(browser: Any, tmp_path: Path) -> None:
     shown = Shown(browser, file)
     (x0, y0), _, _, (_, roof), _ = shown.pixels
     assert roof > y0
-    # It is dragged where the pointer goes.
+    # G follows the pointer.
     shown.tab.mouse.move(x0 + 5, y0 + 5)
     shown.tab.mouse.down()
     shown.tab.mouse.move(x0 + 5, y0 - 100, steps=5)
@@ -129,7 +129,7 @@ def test_y_may_point_down(browser: Any, tmp_path: Path) -> None:
     shown.tab.close()
 
 
-def test_long_numbers_are_cut_short_and_copied_whole(browser: Any, tmp_path: Path) -> None:
+def test_long_numbers_are_shortened_and_copied_in_full(browser: Any, tmp_path: Path) -> None:
     file = tmp_path / "sweep.html"
     file.write_text(make_page(scale_example(Fraction(10**60, 3 * 7**30))), encoding="utf-8")
     shown = Shown(browser, file, permissions=["clipboard-read", "clipboard-write"])
@@ -166,7 +166,7 @@ def test_the_page_runs_in_the_frame_of_a_notebook(browser: Any, tmp_path: Path) 
     frame = tab.frames[1]
     frame.wait_for_function("window.exactsweep !== undefined")
     assert frame.evaluate("exactsweep.position()") == ["-2", "-1"]
-    # It cannot reach the notebook around it.
+    # The frame cannot access the notebook.
     reached = "(() => { try { return parent.document.title } catch { return null } })()"
     assert frame.evaluate(reached) is None
     tab.close()

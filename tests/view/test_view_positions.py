@@ -88,7 +88,7 @@ def test_commands_show_positions(asked: str, files: tuple[str, str], tmp_path: P
     assert run("view", "--of", asked).exit_code == 0
 
 
-def test_questions_that_have_no_picture_are_refused(files: tuple[str, str]) -> None:
+def test_questions_without_a_picture_are_rejected(files: tuple[str, str]) -> None:
     message = refusal(run("view", "--of", "ifp", files[1], files[0]))
     assert message == "there is no position: the part does not fit"
     done = run("view", "--of", "nfp", *files, "--direction", "1", "0")
@@ -104,7 +104,7 @@ def test_the_page_names_contacts_of_positions(show: Open) -> None:
     assert page.text("contacts").splitlines()
 
 
-def test_a_phone_shows_all_that_can_be_chosen(show: Open) -> None:
+def test_a_phone_shows_all_controls(show: Open) -> None:
     page = show(sweep(TIGHT, PLATE))
     page.tab.set_viewport_size({"width": 390, "height": 800})
     page.settle()
@@ -132,7 +132,7 @@ def test_the_note_on_scale_covers_no_label(show: Open) -> None:
         page.settle()
         note = page.tab.locator("#stretched").bounding_box()
         buttons = page.tab.locator("#zooming").bounding_box()
-        # Numbers stand at the lower edge, and at the right one from 46 pixels on.
+        # Numbers are at the lower edge, and at the right edge from 46 pixels down.
         assert note["y"] + note["height"] <= 56
         assert note["x"] >= buttons["x"] + buttons["width"]
 
@@ -152,7 +152,7 @@ def test_names_of_contacts_have_the_contrast_of_text(scheme: str, show: Open) ->
 
 
 def _luminance(color: str) -> float:
-    """The relative luminance of a colour, by WCAG 2."""
+    """The relative luminance of a color, by WCAG 2."""
     shares = [int(part) / 255 for part in re.findall(r"[0-9]+", color)[:3]]
     red, green, blue = (c / 12.92 if c <= 0.04045 else ((c + 0.055) / 1.055) ** 2.4 for c in shares)
     return 0.2126 * red + 0.7152 * green + 0.0722 * blue

@@ -1,4 +1,4 @@
-"""The page in a browser: what it tells after keys, slides and choices; see sessions.txt."""
+"""The texts of the page in a browser after keys, slides and choices; see sessions.txt."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ PLATE = Region(
         [(13, 3), (15, 3), (15, 5), (13, 5)],
     ],
 )
-# A peak in the notch of the example, as high as G comes down.
+# A peak in the notch of the example, which G just touches.
 BLOCK = list(EXAMPLE.directrix.vertices)
 NOTCH = BLOCK.index(Point(Fraction(3), Fraction(1)))
 SWEEPS = {
@@ -41,7 +41,7 @@ SWEEPS = {
 
 
 def follow(shown: Shown, step: str) -> str:
-    """Do what a line says, and describe the page afterwards."""
+    """Follow the instruction in a line, and describe the page afterwards."""
     word, *arguments = step.split()
     if word == "press":
         shown.press(*arguments)

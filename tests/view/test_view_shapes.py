@@ -47,7 +47,7 @@ def track_of(shown: Shown) -> str:
 
 @examples(15)
 @given(simple_polygons(), simple_polygons())
-def test_contacts_between_stops_of_every_track_are_true(g: Polygon, d: Polygon) -> None:
+def test_contacts_between_stops_of_every_track_are_correct(g: Polygon, d: Polygon) -> None:
     s = sweep(g, d, reference=(1, "1/3"))
     listed = list_tracks(s)
     for track, found in zip(listed, track_stops(s, listed)[0], strict=True):
@@ -84,7 +84,7 @@ def test_g_is_dragged_into_holes_and_fits_and_out_again(show: Open) -> None:
     assert shown.position.x == 9
     drag(shown, (5, 4))
     assert (track_of(shown), shown.position) == ("hole 0", points((5, 4))[0])
-    # Nowhere near anything: it stays where it is nearest.
+    # Far from all tracks, G stays at the nearest point of its track.
     drag(shown, (6, 8), steps=1)
     assert track_of(shown) == "hole 0"
     assert shown.position.y == 4
@@ -100,7 +100,7 @@ def test_holes_of_d_and_g_are_not_painted(show: Open) -> None:
     colors = shown.colors()
     middle, rim = (x + 3 * unit, y - 3 * unit), (x + unit, y - 4.5 * unit)
     assert colors.getpixel(middle) != colors.getpixel(rim)
-    # G is dragged by its rim only.
+    # G can only be dragged by its material, not by its hole.
     shown.tab.mouse.move(*middle)
     shown.settle()
     assert "on-generatrix" not in str(shown.tab.get_attribute("#top", "class") or "")
@@ -109,7 +109,7 @@ def test_holes_of_d_and_g_are_not_painted(show: Open) -> None:
     assert "on-generatrix" in str(shown.tab.get_attribute("#top", "class"))
 
 
-def test_a_pair_of_one_track_has_no_choice_of_it(show: Open) -> None:
+def test_a_single_track_has_no_selector(show: Open) -> None:
     shown = show(sweep(SQUARE, SQUARE))
     assert not shown.tab.is_visible("#track")
     assert not shown.tab.is_visible("#hole")

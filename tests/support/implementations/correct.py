@@ -1,4 +1,4 @@
-"""exactsweep itself behind the protocol; `answer` is all of it, for the faulty one to spoil."""
+"""exactsweep itself behind the protocol; the faulty program changes the result of `answer`."""
 
 from __future__ import annotations
 

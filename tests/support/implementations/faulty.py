@@ -1,6 +1,6 @@
 """A correct implementation with one fault: `python faulty.py FAULT`, or `--list` for the faults.
 
-The faults are those of processes, and some of geometry for the reports; `mistakes` has the others.
+These are faults of processes, and some of geometry for the reports; `mistakes` has the others.
 """
 
 from __future__ import annotations

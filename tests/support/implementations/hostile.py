@@ -1,6 +1,6 @@
-"""Processes that nobody would want to start: `python hostile.py KIND MARK`.
+"""Hostile programs: `python hostile.py KIND MARK`.
 
-MARK is a word in the command line of everything that is started, to look for what is left running.
+MARK is a word in the command line of all started processes, to find those that keep running.
 """
 
 from __future__ import annotations
@@ -46,7 +46,7 @@ def ignores_termination(line: str) -> None:
 
 
 def leaves_children(line: str) -> None:
-    """One in the group and one in a session of its own, both with the pipes."""
+    """Start a child in the group and one in a new session, both with the pipes."""
     for new in (False, True):
         subprocess.Popen([*SLEEPER, sys.argv[2]], start_new_session=new)
     sys.exit(0)
@@ -63,13 +63,13 @@ def closes_output(line: str) -> None:
 
 
 def never_ends(line: str) -> None:
-    """Answer well, then ignore bye and the end of the input."""
+    """Answer correctly, then ignore bye and the end of the input."""
     answer(line)
     ignores_termination(line)
 
 
 def lingers(line: str) -> None:
-    """Answer well, then close the output and do not end."""
+    """Answer correctly, then close the output without exiting."""
     answer(line)
     closes_output(line)
 

@@ -1,6 +1,6 @@
-"""The correct implementation, noting what it is asked: `watched.py LOG GATE`.
+"""The correct implementation with a log of its questions: `watched.py LOG GATE`.
 
-Before its tenth answer it waits for the file GATE to be there.
+Before its tenth answer, it waits until the file GATE exists.
 """
 
 from __future__ import annotations
