@@ -206,7 +206,13 @@ def _move(ring: Sequence[Point], grid: Fraction) -> _Moved | None:
         drop *= 2
     if not is_exterior:
         return None
-    hull = _hull(points)
+    cells = (
+        Point(Fraction(x), Fraction(y))
+        for v in points
+        for x in (floor(v.x), ceil(v.x))
+        for y in (floor(v.y), ceil(v.y))
+    )
+    hull = find_hull(cells)
     edges = [*pairwise((*hull, hull[0]))]
     far = max(min(_measure(point, edge) for edge in edges) for point in points)
     return _scale(hull, max(round_root_up(far), Fraction(3, 2)), grid)
@@ -273,15 +279,6 @@ def _closest(v: Point, e: Vertex, f: Vertex) -> list[Point]:
         if cross(e, by) <= 0 and cross(f, by) <= 0
     ]
     return [min(near)[1]] if near else []
-
-
-def _hull(points: Sequence[Point]) -> list[Point]:
-    return find_hull(
-        Point(Fraction(x), Fraction(y))
-        for v in points
-        for x in (floor(v.x), ceil(v.x))
-        for y in (floor(v.y), ceil(v.y))
-    )
 
 
 def _distance(

@@ -79,7 +79,8 @@ def _list_results(o: Overlap) -> dict[str, object]:
 def report_overlap(o: Overlap, terminal_width: int | None = None) -> str:
     facts: dict[str, str] = {"verdict": o.verdict}
     if o.verdict == "OVERLAP":
-        facts["common area"] = _join(*report.write_area(o.area))
+        rounded, exact = report.write_area(o.area)
+        facts["common area"] = f"{exact}, about {rounded}" if rounded else exact
         facts["depth"] = report.approximate(report.take_root(o.depth_squared), up=True)
         facts["least move"] = f"{write_pair(o.move)} of b"
     elif o.verdict == "FREE":
@@ -104,7 +105,3 @@ def report_overlaps(
     touching = len(found) - overlapping
     total = f"{count(overlapping, 'overlap')}, {touching} in contact, {free} free\n"
     return (report.lay_out([table], terminal_width) if found else "") + total
-
-
-def _join(rounded: str, exact: str) -> str:
-    return f"{exact}, about {rounded}" if rounded else exact

@@ -98,6 +98,8 @@ def explanation_to_json(sweep: SweepAnswer) -> str:
     "features" maps each vertex, and the edge that starts there, to its index in the input.
     """
     steps = [_write(_step(step)) for step in explain(sweep)]
+    loops = [hole.vertices for hole in sweep.no_fit_holes]
+    along = sweep.contacts_along(loops)
     segments = iter(sweep.contacts_along([fit for fit in sweep.exact_fits if fit[0] != fit[1]]))
     fit_contacts = [
         sweep.contacts_at(fit[0]) if fit[0] == fit[1] else next(segments)[0]
@@ -120,16 +122,15 @@ def explanation_to_json(sweep: SweepAnswer) -> str:
             ),
             "exact_fits": _write(sweep.exact_fits),
             "exact_fit_contacts": _write(fit_contacts),
-            "holes": _write(_holes(sweep)),
+            "holes": _write(
+                [
+                    {"loop": loop, "contacts": found}
+                    for loop, found in zip(loops, along, strict=True)
+                ]
+            ),
             "steps": "[\n    " + ",\n    ".join(steps) + "\n  ]",
         }
     )
-
-
-def _holes(sweep: SweepAnswer) -> list[dict[str, object]]:
-    loops = [hole.vertices for hole in sweep.no_fit_holes]
-    along = sweep.contacts_along(loops)
-    return [{"loop": loop, "contacts": found} for loop, found in zip(loops, along, strict=True)]
 
 
 def verification_to_json(verification: Verification) -> str:

@@ -96,7 +96,7 @@ def join(lines: Mapping[int, OpenLine], reading: Reading) -> Iterator[tuple[int,
                 same = found.setdefault((min(i, k), max(i, k), line.key), joined).line
                 if same is not line and sorted(same.ends) != sorted(line.ends):
                     lost[i].append(joined)
-            elif _is_long(line, 4 * joints.reach):
+            elif line.path is not None and line.path.size > 4 * joints.reach:
                 path = line.draw(joints.points[i], joints.points[i])
                 yield order, draw_outline(path, line.shape, reading)
             elif line.ends[0] != line.ends[1]:
@@ -115,10 +115,6 @@ def join(lines: Mapping[int, OpenLine], reading: Reading) -> Iterator[tuple[int,
         elif len(short) > 1:
             reading.notes[reason] = None
     yield from _outlines(list(found.values()), joints.points, lost, reading)
-
-
-def _is_long(line: OpenLine, reach: Fraction) -> bool:
-    return line.path is not None and line.path.size > reach
 
 
 def find_tolerance(lines: Iterable[OpenLine]) -> Fraction:

@@ -70,8 +70,10 @@ def _list_maps(part: Region, drawn: Region, *, mirrored: bool) -> Iterator[Congr
             continue
         (ax, ay), (bx, by) = _edge(ring, 0), _edge(goal, shift)
         square = ax * ax + ay * ay
-        turn = (ax * bx + ay * by) / square, (ax * by - ay * bx) / square
-        found = Congruence(mirrored, turn, _find_move(ring[0], goal[shift], turn), is_same)
+        c, s = (ax * bx + ay * by) / square, (ax * by - ay * bx) / square
+        (x, y), (u, v) = ring[0], goal[shift]
+        move = Point(u - c * x + s * y, v - s * x - c * y)
+        found = Congruence(mirrored, (c, s), move, is_same)
         holes = [[_apply(found, p) for p in hole.vertices] for hole in part.holes]
         if is_same and {Polygon(hole) for hole in holes} == {*drawn.holes}:
             yield found
@@ -106,13 +108,6 @@ def _list_corners(ring: Sequence[Point]) -> list[_EdgeShape]:
         (x * x + y * y, x * u + y * v, x * v - y * u)
         for (x, y), (u, v) in zip(edges, edges[1:] + edges[:1], strict=True)
     ]
-
-
-def _find_move(start: Point, end: Point, turn: tuple[Fraction, Fraction]) -> Point:
-    cosine, sine = turn
-    return Point(
-        end.x - cosine * start.x + sine * start.y, end.y - sine * start.x - cosine * start.y
-    )
 
 
 def _apply(found: Congruence, point: Point) -> Point:

@@ -152,7 +152,7 @@ def _make_layout(sheet: Sheet, found: Nested) -> FoundLayout:
         data,
         tuple(notes),
         tuple(unchecked),
-        tuple(map(_find_line, parts)),
+        tuple(match[0] if (match := _LINE.search(one.place)) else "" for one in parts),
         flatten=partial(_flatten, drawn_as) if is_curved else None,
     )
 
@@ -220,8 +220,3 @@ def _measure(ring: Sequence[Point]) -> tuple[int, str]:
     area = abs(Fraction(find_doubled_area(ring)))
     digits = f"{area.numerator / area.denominator:.6e}" if area < Fraction(10) ** 300 else ""
     return len(ring) - (ring[0] == ring[-1]), digits
-
-
-def _find_line(outline: Candidate) -> str:
-    match = _LINE.search(outline.place)
-    return match[0] if match else ""

@@ -177,19 +177,15 @@ def _allow_rounded(instance: model.NestingInstance, placements: Iterable[Data]) 
                 yield f"item {name}: the rotation {turn} is {meant} in single precision"
 
 
-def _is_rounded(degrees: str, written: str) -> bool:
-    return _round(degrees) == _read_single(written)
-
-
 def _is_near(degrees: str, written: str) -> bool:
     apart = (Fraction(degrees) - Fraction(written)) % 360
     return min(apart, 360 - apart) <= _NEARLY
 
 
-def _round(degrees: str) -> float:
-    """Convert degrees to radians and back in single precision, like the programs."""
+def _is_rounded(degrees: str, written: str) -> bool:
+    """Return whether conversion to radians and back in single precision has the given result."""
     radians = c_float(_read_single(degrees) * c_float(c_float(pi).value / 180).value).value
-    return c_float(radians * c_float(180 / pi).value).value
+    return c_float(radians * c_float(180 / pi).value).value == _read_single(written)
 
 
 def _read_single(number: str) -> float:
