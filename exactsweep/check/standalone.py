@@ -93,12 +93,12 @@ def need(condition: Any, reason: str, *points: Point) -> None:
         raise Refused(reason, *points)
 
 
-def spend(steps: float, numbers: Iterable[int] = ()) -> None:
-    """Subtract steps; long numbers raise the price of this step and of all others, as measured."""
-    work, bits = WORK.get(), max(map(int.bit_length, numbers), default=0) - 60
-    work[1] = max(work[1], 1 + bits / 40 + bits**2 / 10**6 if bits > 0 else 1)
+def spend(steps: float) -> None:
+    """Subtract steps, which cost more with long numbers."""
+    work = WORK.get()
     work[0] -= steps * work[1]
-    need(work[0] >= 0, "too large: exceeds the step limit for its size")
+    if work[0] < 0:
+        raise Refused("too large: exceeds the step limit for its size")
 
 
 def node(x: Rational, y: Rational) -> Point:
@@ -131,10 +131,12 @@ def edges(points: Sequence[Point]) -> list[Edge]:
 
 
 def level(points: Ring) -> Ring:
-    """Bring points to a common denominator."""
-    unit = lcm(*(w for *_, w in points))
+    """Bring points to a common denominator; long numbers raise the price of steps, as measured."""
+    unit, work = lcm(*(w for *_, w in points)), WORK.get()
     found = [(x * (unit // w), y * (unit // w), unit) for x, y, w in points]
-    spend(len(found), chain(*found))
+    bits = max(0, max(map(int.bit_length, chain(*found))) - 60)
+    work[1] = max(work[1], 1 + bits / 40 + bits**2 / 10**6)
+    spend(len(found))
     return found
 
 
@@ -252,7 +254,7 @@ def read_fault(name: str, item: Any) -> Any:
     return read(name, item, FAULTS[kind])
 
 
-length, hole = partial(number, is_signed=False), partial(loop, step=-1)
+length, hole, FRAME = partial(number, is_signed=False), partial(loop, step=-1), [number] * 4
 SIZE, RINGS, TURNS = (length, "0"), ([ring], list[Any]()), ([rotation], None)
 SHAPE, SUMS = {"exterior": ring, "holes": RINGS}, [[int, [[int]]]]
 HEAD: Any = {"format": str, "version": int, "claim": str}
@@ -263,8 +265,7 @@ SWEEP = NO_FIT | {"outer": loop, "inner": hole, "unswept": [hole], "area": numbe
 SWEEP |= {"proof": CUT | {"swept": SUMS, "slits": [fit]}}
 SUM = LOOPS | {"shape": SHAPE, "path": [point]}
 SUM |= {"proof": {"shape": [ring], "sums": SUMS, "slits": [fit]}}
-FRAMED: Any = {"frame": [number] * 4, "outside": [ring], "part": [ring]}
-FRAMED |= {"sums": SUMS, "around": [[int]] * 4}
+FRAMED = {"frame": FRAME, "outside": [ring], "part": [ring], "sums": SUMS, "around": [[int]] * 4}
 INNER_FIT = HEAD | {"container": SHAPE, "part": SHAPE, "exact_fits": [fit], "proof": FRAMED}
 INNER_FIT |= {"regions": [{"exterior": hole, "holes": [loop]}]}
 PIECE: Any = {"points": [point], "radius": SIZE}
@@ -274,8 +275,7 @@ PLACEMENT = {"part": str, "move": point, "turn": (rotation, "0"), "mirrored": (b
 LAYOUT: Any = {"parts": [PART | {"mirrored": (bool, True)}], "placements": [PLACEMENT]}
 LAYOUT |= {"container": (BODY, {"pieces": []}), "spacing": SIZE, "margin": SIZE}
 LAYOUT |= {"defects": ([BODY | {"spacing": (length, None)}], [])}
-APART: Any = {"frame": ([number] * 4, None), "pieces": [RINGS]}
-APART |= {"apart": [[int] * 4 + [number] * 2]}
+APART = {"frame": (FRAME, None), "pieces": [RINGS], "apart": [[int] * 4 + [number] * 2]}
 JUDGED = HEAD | {"layout": LAYOUT, "turns": [point], "valid": bool, "proof": (APART, None)}
 JUDGED |= {"faults": ([read_fault], None)}
 OF_PART, OF_TWO = {"kind": str, "part": str}, {"kind": str, "placements": [int] * 2, "point": point}
@@ -307,12 +307,12 @@ def near(one: Any, other: Any, more: Any = ORIGIN, touch: int = 0) -> Iterator[A
     stack = [trees] if all(trees) else []
     while stack:
         found = ((a, b, c, d), m, x), ((f, e, h, g), n, y), ((q, p, s, r), o, z) = stack.pop()
-        spend(1)
         if a + e + p < touch and b + f + q < touch and c + g + r < touch and d + h + s < touch:
             k = 0 if m >= n and m >= o else 1 if n >= o else 2
             if found[k][1] < 0:
                 yield x, y, z
             else:
+                spend(2)
                 stack += [(*found[:k], half, *found[k + 1 :]) for half in found[k][2]]
 
 
@@ -384,8 +384,9 @@ def clip(sides: Sequence[Any], a: Point, b: Point, closed: bool = False) -> Span
     # An open interval that contains 0 or 1 extends to -1 or 2.
     low, high = ((0, 1), (1, 1)) if closed else ((-1, 1), (2, 1))
     spend(4 + len(sides))
+    x, y, u, v, w = x * z, y * z, u * w, v * w, w * z
     for _, _, (k, m, n) in sides:
-        at_a, at_b = (k * x + m * y + n * w) * z, (k * u + m * v + n * z) * w
+        at_a, at_b = k * x + m * y + n * w, k * u + m * v + n * w
         if at_a < least:
             if at_b < least:
                 return None
@@ -467,8 +468,8 @@ def boundary(name: str, d: Rings, h: Rings, known: Any, listed: Any, *beyond: An
                 is_once &= meetings.setdefault((e.loop, f.loop), met) == met
             need(is_once, f"{e.name}: meets {f.name}", e.start)
     for k, i, j in near(boxes, [*map(box, d)], [*map(box, h)]):
-        is_clear = clip(sides(i * n + j), *known[k][:2]) is None
-        need(is_clear, f"{known[k].name}: inside the sum of pieces {i} and {j}", known[k].start)
+        if clip(sides(i * n + j), *known[k][:2]):
+            raise Refused(f"{known[k].name}: inside the sum of pieces {i} and {j}", known[k].start)
     around = [(count + k, [found]) for k, (_, found) in enumerate(beyond)]
     cover_sides(name, sides, known, listed + around)
     inner = [*map(inner_point, h)] if d and len(d[0]) == 2 else connect(h)
@@ -518,8 +519,7 @@ def inner_fit(c: Any) -> str:
     known += c.exact_fits
     xs, ys = zip(*map(place, chain(*h)), strict=True)
     room = [n + f(of) for n, f, of in zip(ends, (max, max, min, min), (xs, ys) * 2, strict=True)]
-    within = edges(corners("frame, for the part", *room))
-    beyond = [(q, p, (-a, -b, -c)) for p, q, (a, b, c) in within]
+    beyond = [(q, p, (-a, -b, -c)) for p, q, (a, b, c) in edges(corners("frame, part", *room))]
     for edge, half_plane in product(known, beyond):
         is_within = clip([half_plane], *edge[:2]) is None
         need(is_within, f"{edge.name}: the part leaves the frame", edge.start)
@@ -722,7 +722,7 @@ def prove(certificate: Any, max_steps: float | None = None) -> str:
     found = read("", certificate, form)
     text = json.dumps({**certificate, "area": None})
     WORK.set([max_steps or max(MAX_STEPS, STEPS_PER_BYTE * len(text)), 1.0])
-    spend(0, [10 ** max(map(len, re.findall("[0-9]+", text)))])
+    level([(10 ** max(map(len, re.findall("[0-9]+", text))), 0, 1)])
     return str(prover(found))
 
 
