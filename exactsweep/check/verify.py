@@ -20,7 +20,8 @@ from exactsweep.check.standalone import (
     read,
     rings_of,
 )
-from exactsweep.geometry.reading import read_point
+from exactsweep.geometry.polyline import Polyline
+from exactsweep.geometry.reading import read_interface, read_point
 from exactsweep.numbers.error import ExactSweepError, explain_type_errors, prefix_errors
 from exactsweep.numbers.number import Point
 
@@ -54,12 +55,13 @@ def verify(
     Args:
         certificate: the output of `json.loads`, from any source: the certificate of a sweep, a
             no-fit polygon, an inner fit, a sum with a path or a layout.
-        generatrix: the required polygon G: a Polygon, its vertices or a Region; by default any.
+        generatrix: the required polygon G: a Polygon, its vertices, a Region or an object with a
+            `__geo_interface__`, such as a shapely polygon; by default any.
         directrix: the required polygon D, in any of these forms.
         part: the required part of an inner fit.
         container: the required container of an inner fit.
         shape: the required shape of a sum with a path.
-        path: the required path of the sum: a Polyline, or the points of an open path in order.
+        path: the required path of the sum: a Polyline, or what Polyline reads.
         max_steps: the limit on the work, in steps of at most a microsecond if numbers are short.
             The default grows with the certificate: 100 kB end within half a minute.
 
@@ -92,7 +94,8 @@ def verify(
             need(is_same, f"{name} of the certificate is not the given polygon")
         if walked is not None:
             need("path" in certificate, "the certificate has no path")
-            is_same = _drop_repeated(read("path", certificate["path"], [point])) == walked
+            listed = read("path", certificate["path"], [point])
+            is_same = [p for p, _ in groupby(listed)] == walked
             need(is_same, "path of the certificate is not the given path")
     except Refused as refused:
         witness = refused.witness and Point(*refused.witness)
@@ -101,32 +104,24 @@ def verify(
 
 
 def _read_given(polygon: Any, name: str) -> list[Ring]:
-    rings = (polygon.exterior, *polygon.holes) if hasattr(polygon, "holes") else (polygon,)
+    is_own = hasattr(polygon, "holes")
     with prefix_errors(name):
+        rings = (polygon.exterior, *polygon.holes) if is_own else read_interface(polygon)
         try:
-            return [_read_points(getattr(points, "vertices", points)) for points in rings]
+            listed = [getattr(points, "vertices", points) for points in rings or [polygon]]
+            return [_read_points(points) for points in listed]
         except TypeError:
-            raise ExactSweepError(
-                f"a {type(polygon).__name__} is neither a polygon nor a Region"
-            ) from None
+            raise ExactSweepError(f"{type(polygon).__name__} is not a polygon") from None
 
 
 def _read_path(path: Any) -> Ring:
     with prefix_errors("path"):
-        try:
-            points = _read_points(getattr(path, "points", path))
-        except TypeError:
-            raise ExactSweepError(f"a {type(path).__name__} is not a path") from None
-    is_closed = getattr(path, "closed", False)
-    return _drop_repeated([*points, *points[:1]] if is_closed else points)
+        line = Polyline(path)
+    return _read_points([*line.points, *line.points[: line.closed]])
 
 
 def _read_points(points: Iterable[Iterable[object]]) -> Ring:
     return [node(*read_point(p, f"vertex {k}")) for k, p in enumerate(points)]
-
-
-def _drop_repeated(points: Ring) -> Ring:
-    return [point for point, _ in groupby(points)]
 
 
 def _outline(rings: list[Ring]) -> list[Ring]:

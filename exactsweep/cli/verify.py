@@ -121,7 +121,10 @@ def _describe(certificate: dict[str, Any]) -> str:
     if certificate["claim"] == "layout":
         placed = count(len(certificate["layout"]["placements"]), "placement")
         kinds = Counter(fault["kind"] for fault in certificate.get("faults", ()))
-        faults = ", ".join(f"{number} {kind}" for kind, number in kinds.items())
+        faults = ", ".join(
+            count(number, kind) if kind == "overlap" else f"{number} {kind}"
+            for kind, number in kinds.items()
+        )
         return f"layout of {placed}: {faults or 'valid'}"
     if certificate["claim"] == "sum":
         shape, points = _count_vertices(certificate["shape"]), len(certificate["path"])

@@ -86,7 +86,7 @@ def test_the_path_of_the_caller_is_compared() -> None:
     closed = Polyline(LOOP[:-1], closed=True)
     for path in (LOOP, closed, [LOOP[0], *LOOP], [(str(x), y) for x, y in LOOP]):
         assert verify(ring, shape=SLOT, path=path).proved
-    for path in (LOOP[:-1], LOOP[::-1], LOOP[1:], [], Polyline(LOOP[:1])):
+    for path in (LOOP[:-1], LOOP[::-1], LOOP[1:], Polyline(LOOP[:1])):
         verdict = verify(ring, path=path)
         assert verdict == (False, "path of the certificate is not the given path", None)
     assert not verify(ring, shape=CAVE).proved

@@ -8,6 +8,7 @@ from fractions import Fraction
 from typing import Any
 
 import pytest
+import shapely
 from certified import CAVE, HOUSE, NOTCHED, ROOM, SLOT, SQUARE, certificates, two_ls
 from hypothesis import given
 from hypothesis import strategies as st
@@ -79,9 +80,21 @@ def test_a_hole_given_the_other_way_around_is_the_same() -> None:
     assert verify(certificate, directrix=holed).proved
 
 
+def test_shapely_polygons_and_lines_are_compared() -> None:
+    polygons = {"directrix": shapely.Polygon(CAVE), "generatrix": shapely.Polygon(SQUARE)}
+    assert verify(certificates()["cave"], **polygons).proved
+    room = shapely.Polygon(ROOM.exterior, ROOM.holes)
+    assert verify(certificates()["room"], directrix=room).proved
+    assert not verify(certificates()["room"], directrix=shapely.box(0, 0, 6, 6)).proved
+    line = shapely.LineString([(0, 0), (1, 0)])
+    assert verify(certificates()["slit"], path=line).proved
+    with pytest.raises(PolygonError, match="directrix: a LineString is not a polygon"):
+        verify(certificates()["cave"], directrix=line)
+
+
 @pytest.mark.parametrize("given", [3, object()])
 def test_what_is_no_polygon_is_an_error(given: Any) -> None:
-    with pytest.raises(ExactSweepError, match="neither a polygon nor a Region"):
+    with pytest.raises(ExactSweepError, match="is not a polygon"):
         verify({}, directrix=given)
 
 
