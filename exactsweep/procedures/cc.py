@@ -16,7 +16,7 @@ from itertools import pairwise
 from math import lcm
 
 from exactsweep.geometry.direction import slope_key
-from exactsweep.procedures.chain import Break, Chain, ConvexPart
+from exactsweep.procedures.chain import Chain, ConvexPart, Line
 from exactsweep.procedures.graph import Graph, Piece, VertexContact
 
 
@@ -89,30 +89,28 @@ def subtrajectory(generatrix: ConvexPart, directrix: ConvexPart) -> Graph:
     edges = sorted(ds[i:i_end] + gs[j:j_end])
     i, j = i + directrix.first, j + generatrix.first
     (x, y, w), (u, v, z) = directrix.vertices[i], generatrix.vertices[j]
-    at = x * z + u * w, w * z
-    start: VertexContact = (at[0], y * z + v * w, at[1]), i, j
-    breaks: list[Break] = [at]
-    pieces: list[Piece] = []
+    contacts: list[VertexContact] = [((x * z + u * w, y * z + v * w, w * z), i, j)]
+    lines: list[Line] = []
     last: int | float | None = None
     for slope, of_generatrix, dx, dy, c in edges:
         if of_generatrix:
-            dx, dy, c = dx * w, dy * w, c * w + y * dx - x * dy
+            line = dx * w, dy * w, c * w + y * dx - x * dy
             j += 1
             u, v, z = generatrix.vertices[j]
         else:
-            dx, dy, c = dx * z, dy * z, c * z + v * dx - u * dy
+            line = dx * z, dy * z, c * z + v * dx - u * dy
             i += 1
             x, y, w = directrix.vertices[i]
         if slope == last:
             # Parallel edges become one (EE).
-            _, _, _, start, _ = pieces.pop()
-            breaks.pop()
-        at = x * z + u * w, w * z
-        end: VertexContact = (at[0], y * z + v * w, at[1]), i, j
-        pieces.append((dx, dy, c, start, end))
-        breaks.append(at)
-        start, last = end, slope
-    return Graph(breaks, pieces)
+            lines.pop()
+            contacts.pop()
+        lines.append(line)
+        contacts.append(((x * z + u * w, y * z + v * w, w * z), i, j))
+        last = slope
+    ends = zip(lines, contacts, contacts[1:], strict=False)
+    pieces: list[Piece] = [(dx, dy, c, start, end) for (dx, dy, c), start, end in ends]
+    return Graph([(x, w) for (x, _, w), _, _ in contacts], pieces)
 
 
 def subtrajectories(

@@ -64,11 +64,6 @@ class Chain:
                 raise ChainError(f"({qx}, {qy}) lies left of ({px}, {py}): not an X-monotone chain")
         if not points or points[0][0] == points[-1][0]:
             raise ChainError("zero width: all edges of the chain are vertical")
-        return cls.trust(points)
-
-    @classmethod
-    def trust(cls, points: Iterable[Vertex]) -> Chain:
-        """Create a chain from points, without validation."""
         return cls([to_homogeneous(*point) for point in points])
 
     @cached_property
@@ -233,8 +228,7 @@ def find_convex_parts(chain: Chain, unit: int, whose: int) -> list[ConvexPart]:
     parts: list[ConvexPart] = []
     for first, last in pairwise(cuts):
         if chain.lines[first][0]:
-            least, greatest = min(slopes[first : first + 2]), max(slopes[last : last + 2])
-            part = chain.vertices, first, edges[first:last], (least,), (greatest, inf)
-            parts.append(ConvexPart(*part))
+            bounds = (min(slopes[first : first + 2]),), (max(slopes[last : last + 2]), inf)
+            parts.append(ConvexPart(chain.vertices, first, edges[first:last], *bounds))
     chain._parts[unit, whose] = parts
     return parts

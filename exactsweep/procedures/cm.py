@@ -121,11 +121,9 @@ def find_touched(
     (x, w), (u, v) = start, end
     (gx, _, gw), (hx, _, hw) = generatrix.vertices[j_end], generatrix.vertices[j]
     first, last = (x * gw - gx * w, w * gw), (u * hw - hx * v, v * hw)
-    (left, _, left_w), (right, _, right_w) = directrix.vertices[i], directrix.vertices[i_end]
-    return (
-        (left, left_w) if precedes(first, (left, left_w)) else first,
-        (right, right_w) if precedes((right, right_w), last) else last,
-    )
+    (dx, _, dw), (ex, _, ew) = directrix.vertices[i], directrix.vertices[i_end]
+    left, right = (dx, dw), (ex, ew)
+    return left if precedes(first, left) else first, right if precedes(right, last) else last
 
 
 def close(

@@ -33,9 +33,7 @@ Piece = tuple[int, int, int, VertexContact, VertexContact]
 An envelope may use only a part of the edge. Collinear edges count as one.
 """
 
-_NOWHERE: VertexContact = (0, 0, 0), -1, -1
-
-GAP: Piece = (0, 0, 1, _NOWHERE, _NOWHERE)
+GAP: Piece = (0, 0, 1, ((0, 0, 0), -1, -1), ((0, 0, 0), -1, -1))
 """The piece between graphs that do not overlap in x: the line at infinity, above all others."""
 
 

@@ -14,7 +14,7 @@ from math import lcm
 from typing import ClassVar
 
 from exactsweep.geometry.direction import X_AXIS, Vector
-from exactsweep.geometry.frame import Frame, Kind
+from exactsweep.geometry.frame import Frame, Kind, to_homogeneous
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.geometry.reading import Lattice
 from exactsweep.numbers.number import Fit, Point
@@ -98,7 +98,8 @@ def split_polygon(lattice: Lattice, frame: Frame) -> tuple[Chain, Chain]:
     Chains are cached, because nesting sweeps each part around many others.
     """
     bottom, top = split(frame.enter(*lattice))
-    return Chain.trust(bottom), Chain.trust(inverse(top))
+    lower, upper = ([to_homogeneous(*point) for point in c] for c in (bottom, inverse(top)))
+    return Chain(lower), Chain(upper)
 
 
 class MonotoneSolution:
