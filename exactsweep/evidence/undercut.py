@@ -25,9 +25,8 @@ from exactsweep.geometry.segment import (
     make_segment,
     measure_along,
 )
-from exactsweep.geometry.vectors import minus
 from exactsweep.numbers.error import ExactSweepError
-from exactsweep.numbers.number import Edge, Point, Vertex
+from exactsweep.numbers.number import Point, Vertex
 
 Intersection = Literal["point", "segment"]
 
@@ -95,14 +94,16 @@ class Tracer(NamedTuple):
     def _list_edges(self, whole: Segment) -> list[Segment]:
         return [own for own in self.generatrix.pieces if own.direction == whole.direction]
 
-    def choose(self, edge: Edge, whole: Segment) -> list[TracedPiece]:
+    def choose(self, whole: Segment) -> list[TracedPiece]:
         """Choose a few drawn pieces that cover an edge; raise ExactSweepError if there are none.
 
         The search tries edges of G that share an end with it; then vertices and edges of G along
         edges of T; then other edges of G.
         """
         tried: list[TracedPiece] = []
-        for draw in (self.draw_from_ends(whole, edge), self.draw_along(whole), self.draw_at(whole)):
+        stopped = list(self.draw_at(whole))
+        at_ends = [d for d in stopped if d.piece.low == whole.low or d.piece.high == whole.high]
+        for draw in at_ends, self.draw_along(whole), stopped:
             for drawing in draw:
                 if drawing.covers(whole):
                     return [drawing]
@@ -112,14 +113,6 @@ class Tracer(NamedTuple):
             if chosen is not None:
                 return [tried[k] for k in chosen]
         raise ExactSweepError("no feature of the generatrix draws this edge")
-
-    def draw_from_ends(self, whole: Segment, ends: Sequence[Vertex]) -> Iterator[TracedPiece]:
-        """Draw with edges of G that end at one of the given points when G is at a vertex of T."""
-        for i, own in enumerate(self.generatrix.pieces):
-            if own.direction == whole.direction:
-                for p, q in product(ends, self.generatrix.edge(i)):
-                    if minus(p, q) in self.path.numbers:
-                        yield _draw_at(minus(p, q), own)
 
     def draw_along(self, whole: Segment) -> Iterator[TracedPiece]:
         """Draw with vertices and edges of G along edges of T; an edge includes its first vertex."""
@@ -155,18 +148,16 @@ def find_closing_positions(
     Raises ExactSweepError if the chain belongs to another sweep.
     Cost: O(t n) for each edge, for t edges of T and n of G.
     """
-    edges = [(edge, make_segment(edge)) for edge in pairwise(bottom)]
-    (first, whole), *others = edges
-    # Inside an edge of T, only a parallel edge of G draws. So G closes a bent chain at a vertex of
-    # T, with a vertex of G at each bend.
+    whole, *others = edges = list(map(make_segment, pairwise(bottom)))
     if not others and (closing := tracer.find_slide(whole)):
         return "point" if len(closing) == 1 else "segment", closing
-    found = tracer.draw_from_ends(whole, first[1:]) if others else tracer.draw_at(whole)
-    for drawing in found:
-        t = drawing.positions[0]
-        if drawing.covers(whole) and all(tracer.covers_at(t, edge) for _, edge in others):
+    # Inside an edge of T, only a parallel edge of G draws. So G closes a bent chain at a vertex of
+    # T, with a vertex of G at each bend.
+    for drawing in tracer.draw_at(whole):
+        (t,) = drawing.positions
+        if drawing.covers(whole) and all(tracer.covers_at(t, edge) for edge in others):
             return "point", [t]
-    positions = (t for edge in edges for one in tracer.choose(*edge) for t in one.positions)
+    positions = (t for edge in edges for one in tracer.choose(edge) for t in one.positions)
     return "point", list(dict.fromkeys(positions))
 
 
