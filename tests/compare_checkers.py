@@ -31,8 +31,8 @@ from weakened_coq import weaken
 
 # Reasons of `standalone.py` that concern the form of a certificate; `theorem/` reads more forms.
 FORM = re.compile(
-    "not an? |lowest terms|neither true nor false|id missing|duplicate|below 0|unknown part"
-    "|repeated point|fewer than three|not rounded pieces alone|no pieces|unit circle"
+    "not an? |not of type|missing|lowest terms|nor false|none of|not unique|below 0|unknown part"
+    "|repeated point|fewer than three|rounded pieces alone|no pieces|unit circle|not one for each"
 )
 
 
