@@ -16,7 +16,7 @@ from collections.abc import Iterable, Iterator, Sequence
 from itertools import chain, pairwise
 from math import isqrt
 
-from exactsweep.geometry.near import BoxRows
+from exactsweep.geometry.near import Bounds, BoxRows, bound_points
 from exactsweep.geometry.vectors import angle_key, cross, is_between, minus, orientation
 
 IntVertex = tuple[int, int]
@@ -32,45 +32,38 @@ _IntEdge = tuple[IntVertex, IntVertex]
 
 
 class _Plan:
-    """A grid of the vertices and the edges of a shape, with the diagonals found so far.
-
-    It has `columns` rows and columns of squares, with 16 vertices per square on average.
-    """
+    """The vertices and the edges of a shape, with the diagonals found so far."""
 
     def __init__(self, rings: Sequence[IntRing]) -> None:
-        count = sum(map(len, rings))
         self._vertices = [*dict.fromkeys(chain.from_iterable(rings))]
         self._places = BoxRows([(x, x, y, y) for x, y in self._vertices])
-        xs, ys = zip(*self._vertices, strict=True)
-        self._left, self._low = min(xs), min(ys)
-        self.columns = isqrt(count) // 4 + 1
-        self._side = max(max(xs) - self._left, max(ys) - self._low) // self.columns + 1
         edges = [edge for ring in rings for edge in pairwise((*ring, ring[0]))]
         if len(rings) > 1:
             split = (sorted({a, b, *self._find_on(a, b)}, reverse=a > b) for a, b in edges)
             edges = list(chain.from_iterable(map(pairwise, split)))
         self.edges: list[_IntEdge] = edges
-        self._rows = BoxRows([_find_box(*edge) for edge in edges])
+        self._rows = BoxRows([bound_points(edge) for edge in edges])
+        left, right, low, high = box = bound_points(self._vertices)
+        self.width = int(max(right - left, high - low))
+        # The first square around a point has 64 vertices on average.
+        self.reach = 4 * self.width // isqrt(len(self._vertices)) + 1
         # A long diagonal would span many rows, so all diagonals share one; entry 0 is its bounds.
-        self._diagonals = BoxRows([(min(xs), max(xs), min(ys), max(ys))])
+        self._diagonals = BoxRows([box])
 
     def _find_on(self, a: IntVertex, b: IntVertex) -> Iterator[IntVertex]:
-        near = (self._vertices[k] for k in self._places.find(_find_box(a, b)))
-        return (v for v in near if is_between(v, a, b))
+        return (v for v in self._find(bound_points((a, b))) if is_between(v, a, b))
+
+    def _find(self, box: Bounds) -> Iterator[IntVertex]:
+        return (self._vertices[k] for k in self._places.find(box))
 
     def find_around(self, p: IntVertex, reach: int) -> Iterator[IntVertex]:
-        """Find the vertices in squares at most `reach` rows and columns away."""
-        side = self._side
-        left, low = (
-            least + ((c - least) // side - reach) * side
-            for c, least in zip(p, (self._left, self._low), strict=True)
-        )
-        size = (2 * reach + 1) * side - 1
-        return (self._vertices[k] for k in self._places.find((left, left + size, low, low + size)))
+        """Find the vertices in a square around a point."""
+        x, y = p
+        return self._find((x - reach, x + reach, y - reach, y + reach))
 
     def is_blocked(self, p: IntVertex, q: IntVertex) -> bool:
         """Decide whether an edge that does not end in p or q meets the segment between them."""
-        box = _find_box(p, q)
+        box = bound_points((p, q))
         for k in chain(self._rows.find(box), filter(None, self._diagonals.find(box))):
             a, b = self.edges[k]
             if a in (p, q) or b in (p, q):
@@ -84,13 +77,8 @@ class _Plan:
 
     def add(self, p: IntVertex, q: IntVertex) -> None:
         """Add a diagonal."""
-        self._diagonals.add(_find_box(p, q), len(self.edges))
+        self._diagonals.add(bound_points((p, q)), len(self.edges))
         self.edges.append((p, q))
-
-
-def _find_box(a: IntVertex, b: IntVertex) -> tuple[int, int, int, int]:
-    (ax, ay), (bx, by) = a, b
-    return min(ax, bx), max(ax, bx), min(ay, by), max(ay, by)
 
 
 def cut_to_convex(rings: Sequence[IntRing]) -> list[ConvexRing]:
@@ -140,10 +128,10 @@ def _list_candidates(
     p: IntVertex, wide: _Corner, cones: dict[IntVertex, list[_Corner]], plan: _Plan
 ) -> Iterator[Iterable[IntVertex]]:
     """Yield vertices around p, then some along the face of a wide cone, then farther ones."""
-    yield plan.find_around(p, 1)
+    reach = plan.reach
+    yield plan.find_around(p, reach)
     yield _follow_face(p, wide, cones)
-    reach = 1
-    while reach < plan.columns:
+    while reach <= plan.width:
         reach *= 2
         yield plan.find_around(p, reach)
 
