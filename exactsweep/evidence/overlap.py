@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
 
-from exactsweep.evidence.certified import refuse_to_set
 from exactsweep.evidence.minkowski import solve_pair
 from exactsweep.geometry.distance import (
     SquaredDistance,
@@ -25,6 +25,7 @@ from exactsweep.numbers.error import explain_type_errors
 from exactsweep.numbers.number import ORIGIN, Area, Edge, Point
 
 
+@dataclass(frozen=True, repr=False)
 class Overlap:
     """The relation of two shapes in place; made by `overlap`.
 
@@ -37,19 +38,6 @@ class Overlap:
 
     a: Region
     b: Region
-
-    def __init__(self, a: Region, b: Region) -> None:
-        self.__dict__.update(a=a, b=b)
-
-    __setattr__ = refuse_to_set
-
-    def __eq__(self, other: object) -> bool:
-        if not isinstance(other, Overlap):
-            return NotImplemented
-        return (self.a, self.b) == (other.a, other.b)
-
-    def __hash__(self) -> int:
-        return hash((self.a, self.b))
 
     @cached_property
     def _lattice(self) -> tuple[int, list[Rings]]:

@@ -9,16 +9,17 @@ an edge, so one rotation of u finds all directions.
 from __future__ import annotations
 
 from bisect import bisect_right
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from functools import cmp_to_key
 from itertools import groupby
 from math import gcd
 
 from exactsweep.geometry.polygon import Polygon
+from exactsweep.geometry.reading import read_point
 from exactsweep.geometry.vectors import minus
-from exactsweep.numbers.error import ExactSweepError, quote
-from exactsweep.numbers.number import Vertex, find_simplest_fraction, to_fraction
+from exactsweep.numbers.error import ExactSweepError
+from exactsweep.numbers.number import Vertex, find_simplest_fraction
 from exactsweep.words import write_degrees, write_vector
 
 Vector = tuple[int, int]
@@ -59,23 +60,15 @@ class Directions:
         return any(self.at)
 
     def __and__(self, other: Directions) -> Directions:
-        """Intersect two sets of directions. Cost: O(n), a cross product for each critical one."""
-        critical = sorted(dict.fromkeys(self.critical + other.critical), key=slope_key)
-        states = zip(self._follow(critical), other._follow(critical), strict=True)
-        found = [
-            (at and also_at, after and also_after) for (at, after), (also_at, also_after) in states
-        ]
-        at, after = zip(*found, strict=True)
-        return Directions(tuple(critical), at, after)
+        """Intersect two sets of directions. Cost: O(n log n) for n critical directions."""
+        critical = sorted({*self.critical, *other.critical}, key=slope_key)
+        at = [u in self and u in other for u in critical]
+        after = [self._after(u) and other._after(u) for u in critical]
+        return Directions(tuple(critical), tuple(at), tuple(after))
 
-    def _follow(self, critical: Iterable[Vector]) -> Iterator[tuple[bool, bool]]:
-        """Yield `at` and `after` for sorted directions that include all critical ones."""
-        known = dict(zip(self.critical, zip(self.at, self.after, strict=True), strict=True))
-        # The state before the first critical direction equals the state after the last one.
-        state = self.after[-1]
-        for u in critical:
-            at, state = known.get(u, (state, state))
-            yield at, state
+    def _after(self, direction: Vector) -> bool:
+        """Decide whether the polygons are strictly monotone just after a direction."""
+        return self.after[self._last_up_to(direction)]
 
     def arcs(self) -> tuple[tuple[Vector, Vector], ...]:
         """Return the maximal closed arcs as pairs (first, last), counter-clockwise.
@@ -132,9 +125,8 @@ class Directions:
 
     def _last_up_to(self, direction: Vector) -> int:
         """Return the index of the last critical direction up to this one; -1 before all."""
-        return (
-            bisect_right(self.critical, slope_key(reduce_direction(direction)), key=slope_key) - 1
-        )
+        key = slope_key(reduce_direction(direction))
+        return bisect_right(self.critical, key, key=slope_key) - 1
 
 
 def reduce_direction(direction: Vertex) -> Vector:
@@ -150,15 +142,10 @@ def reduce_direction(direction: Vertex) -> Vector:
 
 def read_direction(direction: Iterable[object]) -> Vector:
     """Read a pair of exact numbers other than (0, 0) as a primitive vector."""
-    # Strings, sets and mappings unpack too, but not into components.
-    if isinstance(direction, str | bytes | set | frozenset | dict):
-        raise DirectionError(f"a direction is a pair of numbers, not {quote(direction)}")
     try:
-        p, q = (to_fraction(component) for component in direction)
-    except TypeError:
-        raise DirectionError(f"a direction is a pair of numbers, not {quote(direction)}") from None
-    except ValueError as error:
-        raise DirectionError(f"the direction is not a pair of exact numbers: {error}") from None
+        p, q = read_point(direction, "direction")
+    except ExactSweepError as error:
+        raise DirectionError(str(error)) from None
     if p == 0 == q:
         raise DirectionError("(0, 0) is not a direction")
     return reduce_direction((p, q))

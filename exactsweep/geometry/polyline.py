@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
+from dataclasses import dataclass
 from fractions import Fraction
 from itertools import groupby
 
@@ -16,6 +17,7 @@ from exactsweep.words import write_pair
 _KINDS = ("Point", "LineString", "LinearRing")
 
 
+@dataclass(frozen=True, init=False, repr=False)
 class Polyline:
     """A path of segments; polylines are equal if they have the same points in the same order.
 
@@ -39,8 +41,6 @@ class Polyline:
         (0,0) (1,2)
     """
 
-    __slots__ = ("closed", "points")
-
     points: tuple[Point, ...]
     closed: bool
 
@@ -60,22 +60,8 @@ class Polyline:
         object.__setattr__(self, "points", tuple(found))
         object.__setattr__(self, "closed", closed)
 
-    def __setattr__(self, name: str, value: object) -> None:
-        raise AttributeError(f"a Polyline is immutable: {name} cannot be set")
-
-    def __reduce__(self) -> tuple[object, ...]:
-        return _restore, (self.points, self.closed)
-
     def __len__(self) -> int:
         return len(self.points)
-
-    def __eq__(self, other: object) -> bool:
-        if not isinstance(other, Polyline):
-            return NotImplemented
-        return self.points == other.points and self.closed == other.closed
-
-    def __hash__(self) -> int:
-        return hash((self.points, self.closed))
 
     @property
     def __geo_interface__(self) -> GeoJson:
@@ -100,7 +86,3 @@ def _read_path(points: Iterable[Iterable[object]]) -> Iterable[Iterable[object]]
     if not isinstance(coordinates, Iterable):
         raise PolygonError(f"a {kind} without coordinates is not a path")
     return drop_heights([coordinates] if kind == "Point" else coordinates)
-
-
-def _restore(points: tuple[Point, ...], closed: bool) -> Polyline:
-    return Polyline(points, closed=closed)

@@ -11,7 +11,7 @@ from typing import Any, cast
 from warnings import warn
 
 from exactsweep.geometry.canonical import PolygonError
-from exactsweep.numbers.error import NumberError, prefix_errors, quote
+from exactsweep.numbers.error import NumberError, quote
 from exactsweep.numbers.number import Point, Vertex, to_fraction
 
 LATTICE_BITS = 8192
@@ -40,8 +40,10 @@ def read_point(pair: Iterable[object], name: str) -> Point:
         x, y = pair
     except (TypeError, ValueError):
         raise PolygonError(f"{name} is {quote(pair)}, not a pair of numbers") from None
-    with prefix_errors(name):
+    try:
         return Point(to_fraction(x), to_fraction(y))
+    except NumberError as error:
+        raise NumberError(f"{name}: {error}") from None
 
 
 def find_geometry(shape: object) -> Mapping[str, Any] | None:

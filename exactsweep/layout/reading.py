@@ -8,7 +8,7 @@ from exactsweep.geometry.reading import read_point
 from exactsweep.geometry.turn import Turn
 from exactsweep.geometry.turn import read_turn as make_turn
 from exactsweep.numbers.digits import abridge
-from exactsweep.numbers.error import ExactSweepError, NumberError, prefix_errors, quote
+from exactsweep.numbers.error import ExactSweepError, NumberError, quote
 from exactsweep.numbers.number import Loop, Point, to_fraction
 
 _Value = TypeVar("_Value")
@@ -58,10 +58,9 @@ def read_vertex(data: object, path: str) -> Point:
 
 def read_number(data: object, path: str) -> Fraction:
     try:
-        with prefix_errors(path):
-            return to_fraction(data)
+        return to_fraction(data)
     except NumberError as error:
-        raise LayoutError(str(error)) from None
+        raise LayoutError(f"{path}: {error}") from None
 
 
 def read_gap(data: object, path: str) -> Fraction:

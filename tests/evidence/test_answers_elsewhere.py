@@ -126,7 +126,9 @@ def test_areas_format_as_floats_and_stay_fractions() -> None:
 )
 def test_answers_are_read_only(answer: Any, name: str) -> None:
     before = getattr(answer, name)
-    with pytest.raises(AttributeError, match=f"read-only: {name} cannot be set"):
+    with pytest.raises(
+        AttributeError, match=f"{name} cannot be set|cannot assign to field .{name}."
+    ):
         setattr(answer, name, None)
     assert getattr(answer, name) == before
     twin = pickle.loads(pickle.dumps(answer))

@@ -3,6 +3,7 @@
 from collections import Counter
 from fractions import Fraction
 from random import Random
+from typing import Any
 
 import pytest
 import shapely
@@ -78,7 +79,8 @@ def test_polygons_of_shapely_count_with_their_holes() -> None:
 def test_answers_are_values_and_rejections_name_the_shape() -> None:
     assert overlap(SQUARE, SQUARE) == overlap(Polygon(SQUARE), SQUARE[::-1])
     assert len({overlap(SQUARE, SQUARE), overlap(Region(SQUARE), SQUARE)}) == 1
-    assert overlap(SQUARE, SQUARE) != SQUARE
+    other: Any = SQUARE
+    assert overlap(SQUARE, SQUARE) != other
     assert repr(overlap(SQUARE, SQUARE)) == "<Overlap of 4 and 4 vertices: OVERLAP>"
     with pytest.raises(PolygonError, match=r"^b: "):
         overlap(SQUARE, [(0, 0), (1, 1)])

@@ -24,7 +24,7 @@ def test_points_are_exact_and_equal_neighbours_count_once() -> None:
 
 
 def test_paths_are_values() -> None:
-    path = Polyline([(0, 0), (2, 1)])
+    path: Any = Polyline([(0, 0), (2, 1)])
     third = Polyline([(Fraction(1, 3), -2)], closed=True)
     assert eval(repr(third)) == third
     assert path == Polyline(path) == Polyline([[0, "0"], (2.0, 1)])
@@ -34,7 +34,7 @@ def test_paths_are_values() -> None:
     for one in (pickle.loads(pickle.dumps(path)), copy.deepcopy(path)):
         assert one == path
     assert eval(repr(path)) == path
-    with pytest.raises(AttributeError, match="immutable"):
+    with pytest.raises(AttributeError, match="cannot assign"):
         path.closed = True
 
 
