@@ -12,9 +12,9 @@ from itertools import pairwise
 from math import gcd
 from typing import NamedTuple
 
-from exactsweep.numbers.number import Rational
+from exactsweep.geometry.frame import HomogeneousPoint
 
-Node = tuple[int, int, int]
+Node = HomogeneousPoint
 Interval = tuple[Fraction, Fraction]
 """The first and the last parameter."""
 
@@ -26,17 +26,6 @@ class DirectedSegment(NamedTuple):
     end: Node
     direction: tuple[int, int]
     line: tuple[int, int, int]
-
-
-def make_node(x: Rational, y: Rational) -> Node:
-    """Return a point in homogeneous coordinates.
-
-    >>> make_node(Fraction(1, 2), Fraction(1, 3))
-    (3, 2, 6)
-    """
-    (n, d), (m, e) = x.as_integer_ratio(), y.as_integer_ratio()
-    w = d // gcd(d, e) * e
-    return n * (w // d), m * (w // e), w
 
 
 def place(p: Node) -> tuple[Fraction, Fraction]:

@@ -12,10 +12,11 @@ from math import lcm
 from typing import Any
 
 from exactsweep.evidence.chains import find_evidence
-from exactsweep.evidence.homogeneous import DirectedSegment, Node, list_sides, make_node, make_side
+from exactsweep.evidence.homogeneous import DirectedSegment, Node, list_sides, make_side
 from exactsweep.evidence.sums import Sums
 from exactsweep.geometry.canonical import find_doubled_area
 from exactsweep.geometry.convex import IntRing, cut_to_convex
+from exactsweep.geometry.frame import to_homogeneous
 from exactsweep.numbers.digits import to_plain
 from exactsweep.numbers.number import Point, to_fraction
 
@@ -55,7 +56,7 @@ class _ShapeLattice:
 
     def enter(self, points: _PointList) -> list[Node]:
         """Convert points of an answer, which may be off the lattice."""
-        return [make_node(x * self.scale, y * self.scale) for x, y in _read(points)]
+        return [to_homogeneous(x * self.scale, y * self.scale) for x, y in _read(points)]
 
     def enter_loop(self, points: _PointList) -> list[DirectedSegment]:
         """Convert a loop in the given order; a wrong claim may repeat vertices."""

@@ -9,8 +9,10 @@ from __future__ import annotations
 from collections import defaultdict
 from collections.abc import Iterable, Sequence
 from fractions import Fraction
+from itertools import starmap
 
-from exactsweep.evidence.homogeneous import DirectedSegment, Node, make_node, make_side, place
+from exactsweep.evidence.homogeneous import DirectedSegment, Node, make_side, place
+from exactsweep.geometry.frame import to_homogeneous
 
 Gap = tuple[Node, Node]
 _PlanePoint = tuple[Fraction, Fraction]
@@ -33,7 +35,7 @@ def unite(gaps: Iterable[Gap], known: Sequence[DirectedSegment]) -> list[Directe
         if start == end:
             points.add(start)
         else:
-            line = make_side(make_node(*start), make_node(*end)).line
+            line = make_side(to_homogeneous(*start), to_homogeneous(*end)).line
             along[line].append((start, end))
     slits = []
     for spans in along.values():
@@ -45,10 +47,11 @@ def unite(gaps: Iterable[Gap], known: Sequence[DirectedSegment]) -> list[Directe
                 low, high = start, end
             high = max(high, end)
         slits.append((low, high))
-    found = [make_side(make_node(*p), make_node(*q)) for p, q in sorted(slits)]
+    found = [make_side(*starmap(to_homogeneous, ends)) for ends in sorted(slits)]
     edges = [*known, *found]
-    alone = [p for p in sorted(points) if not any(_is_on(make_node(*p), edge) for edge in edges)]
-    return found + [make_side(make_node(*p), make_node(*p)) for p in alone]
+    others = starmap(to_homogeneous, sorted(points))
+    alone = [p for p in others if not any(_is_on(p, edge) for edge in edges)]
+    return found + [make_side(p, p) for p in alone]
 
 
 def _is_on(p: Node, edge: DirectedSegment) -> bool:

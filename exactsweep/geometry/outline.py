@@ -23,7 +23,6 @@ class Outline:
         after: for each vertex, the number of the next vertex of its ring.
         before: for each vertex, the number of the previous vertex of its ring.
         starts: for each ring, the number of its first vertex.
-        numbers: dict from each vertex to its number, the last one if several are equal.
     """
 
     def __init__(self, rings: Sequence[Sequence[Vertex]]) -> None:
@@ -37,7 +36,6 @@ class Outline:
             self.vertices += ring
             self.after += [*range(first + 1, first + size), first]
             self.before += [first + size - 1, *range(first, first + size - 1)]
-        self.numbers = {vertex: k for k, vertex in enumerate(self.vertices)}
         self._index = EdgeIndex(rings)
 
     def edge(self, k: int) -> Edge:

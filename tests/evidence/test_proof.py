@@ -20,12 +20,12 @@ from exactsweep.evidence.homogeneous import (
     intersect,
     is_on_border,
     list_sides,
-    make_node,
     make_side,
     place,
 )
 from exactsweep.evidence.proof import add_proof
 from exactsweep.evidence.slits import unite
+from exactsweep.geometry.frame import to_homogeneous
 from exactsweep.numbers.number import to_fraction
 
 seldom = examples(12)
@@ -79,9 +79,11 @@ def test_cuts_parallel_to_the_trajectory_leave_slits(scale: int) -> None:
 
 
 def test_single_points_that_no_sum_covers_are_slits() -> None:
-    corner = make_node(0, 0)
+    corner = to_homogeneous(0, 0)
     assert [slit.start for slit in unite([(corner, corner), (corner, corner)], [])] == [corner]
-    assert unite([(corner, corner)], [make_side(make_node(-1, -1), make_node(1, 1))]) == []
+    assert (
+        unite([(corner, corner)], [make_side(to_homogeneous(-1, -1), to_homogeneous(1, 1))]) == []
+    )
 
 
 @examples(50)
@@ -108,7 +110,7 @@ def test_a_proof_is_found_again_from_the_certificate() -> None:
 
 
 fractions = st.fractions(-3, 3, max_denominator=4)
-nodes = st.builds(make_node, fractions, fractions)
+nodes = st.builds(to_homogeneous, fractions, fractions)
 
 
 @often
@@ -130,7 +132,7 @@ def test_segments_meet_where_both_have_a_point(points: Any) -> None:
 def test_a_segment_is_inside_a_polygon_between_the_ends_of_its_interval(
     a: Any, b: Any, at: Fraction
 ) -> None:
-    square = list_sides([make_node(*p) for p in [(-1, -1), (1, -1), (1, 1), (-1, 1)]])
+    square = list_sides([to_homogeneous(*p) for p in [(-1, -1), (1, -1), (1, 1), (-1, 1)]])
     span = clip(square, a, b)
     point = find_between(a, b, at % 1)
     x, y = place(point)
