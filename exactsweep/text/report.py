@@ -195,6 +195,8 @@ def make_table(heads: Iterable[str], numbers: Container[str] = (), width: int = 
             justify="right" if head in numbers else "left",
             overflow="fold",
             min_width=0 if k else width,
+            # On narrow terminals, rich would crop other columns if it could not keep min_width.
+            no_wrap=bool(width) and not k,
         )
     return table
 

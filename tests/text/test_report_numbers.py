@@ -63,3 +63,11 @@ def test_names_in_brackets_are_shown_as_they_are(width: int | None) -> None:
 def test_a_long_text_is_shown_in_full() -> None:
     shown = lay_out([list_facts({"area": "7" * 300}, 6)], 80)
     assert shown.count("7") == 300
+
+
+@pytest.mark.parametrize("width", [30, 40, 60])
+def test_cells_are_folded_on_narrow_terminals(width: int) -> None:
+    table = make_table(("", "vertices", "approx. area", "exact area"), {"vertices"}, 12)
+    table.add_row("generatrix", "4", "7" * 9, "8" * 60)
+    shown = lay_out([table], width)
+    assert (shown.count("7"), shown.count("8")) == (9, 60)
