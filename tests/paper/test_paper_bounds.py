@@ -160,13 +160,13 @@ def test_chains_may_cross_only_once() -> None:
     assert "above the next one" in next(appendix.crosses_once(across, level))
     assert list(appendix.crosses_once(down, level)) == []
     assert list(appendix.crosses_once(level, down)) == []
-    assert appendix.meetings(across, level) == ("", True)
-    assert appendix.meetings(down, level) == ("", True)
-    assert appendix.meetings([(0, 1), (8, 1)], level) == ("", False)
-    assert appendix.meetings([(0, 0), (4, 2), (8, 0)], level)[0] == (
+    assert appendix.describe_meeting(across, level) == ("", True)
+    assert appendix.describe_meeting(down, level) == ("", True)
+    assert appendix.describe_meeting([(0, 1), (8, 1)], level) == ("", False)
+    assert appendix.describe_meeting([(0, 0), (4, 2), (8, 0)], level)[0] == (
         "the chains meet at 0 and 8, and separate in between"
     )
-    assert appendix.meetings(down, down)[0] == "the chains share a bend between 0 and 8"
+    assert appendix.describe_meeting(down, down)[0] == "the chains share a bend between 0 and 8"
 
 
 def test_a_partial_trajectory_is_that_of_all_parts_but_the_last() -> None:

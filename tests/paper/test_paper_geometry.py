@@ -23,7 +23,7 @@ from exactsweep.corpus.generator.prng import Prng
 from exactsweep.geometry.segment import make_segment
 from exactsweep.numbers.number import Vertex
 from exactsweep.paper.checks import appendix
-from exactsweep.paper.checks.appendix import meetings
+from exactsweep.paper.checks.appendix import describe_meeting
 from exactsweep.paper.checks.beyond import covers
 from exactsweep.paper.checks.section1 import (
     draw_slots,
@@ -194,12 +194,12 @@ def test_a_position_is_covered_by_the_segments_through_it(
     ],
 )
 def test_chains_meet_in_one_point_or_segment(other: list[Vertex], fault: str, met: bool) -> None:
-    assert meetings([(0, 0), (4, 0)], other) == (fault, met)
+    assert describe_meeting([(0, 0), (4, 0)], other) == (fault, met)
 
 
 def test_chains_that_share_a_bend_meet_in_more_than_a_segment() -> None:
     bent: list[Vertex] = [(0, 0), (2, 2), (4, 0)]
-    assert meetings(bent, bent) == ("the chains share a bend between 0 and 4", True)
+    assert describe_meeting(bent, bent) == ("the chains share a bend between 0 and 4", True)
 
 
 @pytest.mark.parametrize("name", ["trajectories", "outer_chains"])

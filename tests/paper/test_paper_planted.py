@@ -85,7 +85,7 @@ def test_a_contact_of_two_like_chains_is_reported(
         contacts = [[(event, i, k)]]
         wrong = _copy(s, "generatrix", "directrix", contacts=contacts, vertex_contacts=[])
         monkeypatch.setattr(section2, "sweep", lambda *_, s=wrong: s)
-        monkeypatch.setattr(section2, "contacts_are_right", lambda _: ())
+        monkeypatch.setattr(section2, "contacts_are_correct", lambda _: ())
         assert [*section2.like_chains_have_no_contact(pair)] == [
             f"{event} of two {chain} chains: {i} of G, {k} of D"
         ]
@@ -116,7 +116,7 @@ def test_contacts_of_two_edges_at_a_time_are_reported(monkeypatch: pytest.Monkey
     step = appendix.list_lower_steps(sweep(*SQUARES))[0]
     middle = Point((step.start.x + step.end.x) / 2, (step.start.y + step.end.y) / 2)
     contacts = Contact("EV", 0, 1), Contact("EV", 1, 2)
-    monkeypatch.setattr(section2, "touches_are_right", lambda *_: ())
+    monkeypatch.setattr(section2, "touches_are_correct", lambda *_: ())
     for ends, is_reported in ((step.end, step.start), True), ((middle, middle), False):
         spans = (step.start, ends[0]), (ends[1], step.end)
         touches = tuple(Touch(c, *span) for c, span in zip(contacts, spans, strict=True))

@@ -33,9 +33,9 @@ def list_lower_steps(s: Sweep) -> list[Step]:
 def one_edge_at_a_time(pair: SweepPair) -> Iterator[str]:
     """Simultaneous lasting contacts are EV or EE contacts of one edge of G."""
     s = sweep(*pair)
-    yield from section2.contacts_are_right(s)
+    yield from section2.contacts_are_correct(s)
     for step in list_lower_steps(s):
-        yield from section2.touches_are_right(s, step)
+        yield from section2.touches_are_correct(s, step)
         for t in section2.list_moments(s, step.start, step.end):
             now = [
                 touch.contact for touch in step.touches if section2.lasts(t, touch.start, touch.end)
@@ -86,7 +86,7 @@ def find_contact_extent(s: Sweep, t: Point, chain: Sequence[Vertex]) -> list[Fra
 def contact_moves_right(pair: SweepPair) -> Iterator[str]:
     """Both ends of the contact move right; points enter on the right and leave on the left."""
     s, (_, _, directrix) = sweep(*pair), pair.chains
-    yield from section2.contacts_are_right(s)
+    yield from section2.contacts_are_correct(s)
     positions: set[Point] = set()
     for step in list_lower_steps(s):
         # Include positions between changes of contact.
@@ -113,7 +113,7 @@ def find_contact_moving_left(effort: Effort) -> Iterator[Observation]:
         yield Evidence(f"The statement fails for the non-convex G = {g} and D = {d}.")
 
 
-def meetings(first: Sequence[Vertex], second: Sequence[Vertex]) -> tuple[str, bool]:
+def describe_meeting(first: Sequence[Vertex], second: Sequence[Vertex]) -> tuple[str, bool]:
     """Describe a meeting in more than one point or segment; also return whether two chains meet."""
     gaps = functions.list_gaps(first, second)
     zeros = [x for x, gap in gaps if gap == 0]
@@ -139,7 +139,7 @@ def partial_meets_once(pair: SweepPair, *, outer: bool, strict: bool) -> Iterato
     partial = to_graph(first)
     for chain in chains:
         if strict:
-            failure, met = meetings(list(partial), chain)
+            failure, met = describe_meeting(list(partial), chain)
             yield failure or ("" if met else "the partial and the next trajectory do not meet")
         else:
             yield from crosses_once(list(partial), chain)
@@ -181,9 +181,9 @@ def sub_outer_chains_cross_once(pair: SweepPair) -> Iterator[str]:
     return partial_meets_once(pair, outer=True, strict=False)
 
 
-def note_chains_apart(effort: Effort) -> Iterator[Observation]:
+def show_disjoint_chains(effort: Effort) -> Iterator[Observation]:
     for chains in functions.list_sub_chains(AT_A_WALL):
-        if all(meetings(*adjacent)[1] for adjacent in pairwise(chains)):
+        if all(describe_meeting(*adjacent)[1] for adjacent in pairwise(chains)):
             yield "all chains meet despite a vertical edge"
     yield Evidence(
         f"For G = {AT_A_WALL.generatrix} and D = {AT_A_WALL.directrix}, which has a vertical "
@@ -191,7 +191,7 @@ def note_chains_apart(effort: Effort) -> Iterator[Observation]:
     )
 
 
-def lower_envelope_cm_is_right(pair: SweepPair) -> Iterator[str]:
+def lower_envelope_cm_is_correct(pair: SweepPair) -> Iterator[str]:
     """LowerEnvelope_CM returns the lower envelope of the first i sub-trajectories."""
     chains, _ = functions.list_sub_chains(pair)
     partial = reduce(lower_envelope_cm, map(to_graph, chains))

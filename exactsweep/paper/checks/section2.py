@@ -46,7 +46,7 @@ def like_chains_stay_apart(pair: SweepPair) -> Iterator[str]:
 def like_chains_have_no_contact(pair: SweepPair) -> Iterator[str]:
     """No contact is interior to both bottom chains or to both top chains."""
     s = sweep(*pair)
-    yield from contacts_are_right(s)
+    yield from contacts_are_correct(s)
     for event, *features in {c for at in (*s.contacts, *s.vertex_contacts) for c in at}:
         sides = list(map(_side, (s.generatrix, s.directrix), event, features))
         if sides[0] == sides[1] != "end":
@@ -75,7 +75,7 @@ def is_annulus(pair: SweepPair) -> Iterator[str]:
     yield from swept_area_is_the_definition(pair)
 
 
-def find_void(effort: Effort) -> Iterator[Observation]:
+def find_extra_loop(effort: Effort) -> Iterator[Observation]:
     sizes = (10,) if effort.quick else (9, 10, 11)
     directrix = [(10 * x, 10 * y) for x, y in CAVITY.directrix]
     pairs = [SweepPair([(k * x, k * y) for x, y in CAVITY.generatrix], directrix) for k in sizes]
@@ -124,9 +124,9 @@ def widths_add_up(pair: SweepPair) -> Iterator[str]:
 def steps_have_contacts(pair: SweepPair) -> Iterator[str]:
     """There are contacts all along each edge of the trajectory, as its step states."""
     s = sweep(*pair)
-    yield from contacts_are_right(s)
+    yield from contacts_are_correct(s)
     for step in explain(s):
-        yield from touches_are_right(s, step)
+        yield from touches_are_correct(s, step)
 
 
 def count_events(effort: Effort) -> Iterator[Observation]:
@@ -146,7 +146,7 @@ def count_events(effort: Effort) -> Iterator[Observation]:
 def vertices_belong_to_events(pair: SweepPair) -> Iterator[str]:
     """Each VV contact is an end of an EV, VE or EE contact before or after it."""
     s = sweep(*pair)
-    yield from contacts_are_right(s)
+    yield from contacts_are_correct(s)
     edges = [number_features(shape)[1] for shape in (s.generatrix, s.directrix)]
 
     def ends(vertices: Contact, other: Contact) -> bool:
@@ -198,7 +198,7 @@ _Bounded = tuple[str, int, list[tuple[int, int]]]
 """A vertex or an edge: "V" or "E", its number and its ends."""
 
 
-def contacts_are_right(s: Sweep) -> Iterator[str]:
+def contacts_are_correct(s: Sweep) -> Iterator[str]:
     g, d = s.generatrix, s.directrix
     yield from functions.compare_loops(s, "trajectory")
     for k, (start, end) in enumerate(functions.list_edges(s.trajectory.vertices)):
@@ -212,7 +212,7 @@ def contacts_are_right(s: Sweep) -> Iterator[str]:
                 yield f"{where} ({t.x}, {t.y}) contacts are {sorted(listed)}, not {expected}"
 
 
-def touches_are_right(s: Sweep, step: Step) -> Iterator[str]:
+def touches_are_correct(s: Sweep, step: Step) -> Iterator[str]:
     """Report contacts of a step that start or end at a wrong position."""
     for t in list_moments(s, step.start, step.end):
         now = sorted(touch.contact for touch in step.touches if lasts(t, touch.start, touch.end))

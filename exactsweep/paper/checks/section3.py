@@ -10,7 +10,7 @@ from exactsweep.corpus.generator.shapes import walk
 from exactsweep.geometry.canonical import PolygonError
 from exactsweep.geometry.vectors import minus
 from exactsweep.numbers.number import Edge, Vertex
-from exactsweep.paper.checks.section2 import contacts_are_right
+from exactsweep.paper.checks.section2 import contacts_are_correct
 from exactsweep.paper.claim import Effort, Evidence, Observation
 from exactsweep.paper.costs import RUNS
 from exactsweep.paper.functions import (
@@ -100,7 +100,7 @@ def right_turns_are_edges(pair: SweepPair) -> Iterator[str]:
 
 
 def closed_chains_merge(pair: SweepPair) -> Iterator[str]:
-    """Lemma 3.1 holds for every D_b that a straight edge closes to a convex polygon."""
+    """Lemma 3.1 holds for every D_b that a straight edge closes into a convex polygon."""
     with suppress(PolygonError):
         if Polygon(pair.chains.directrix).is_convex and any(trajectory_by_slope(pair)):
             yield "D_b is convex when closed by an edge; the merge by slope is not the trajectory"
@@ -118,24 +118,24 @@ def trajectory_by_slope(pair: SweepPair) -> Iterator[str]:
     yield describe_difference("the merge by slope", merge_all(pair), expected)
 
 
-def has_edge_in_two(procedure: str, chain: Sequence[Vertex]) -> Iterator[str]:
+def leaves_parallel_edges(procedure: str, chain: Sequence[Vertex]) -> Iterator[str]:
     if len(chain) != len(keep_corners(chain)):
         yield f"{procedure} does not join two parallel edges"
 
 
-trajectory_cc_is_right = returns(
+trajectory_cc_is_correct = returns(
     "Trajectory_CC returns the trajectory as defined, with parallel edges joined.",
-    has_edge_in_two,
+    leaves_parallel_edges,
     trajectory="Trajectory_CC",
 )
-outer_cc_is_right = returns(
+outer_cc_is_correct = returns(
     "SweepO_CC returns the outer boundary as defined, with parallel edges joined.",
-    has_edge_in_two,
+    leaves_parallel_edges,
     outer="SweepO_CC",
 )
 
 
-def inner_cc_is_right(pair: SweepPair) -> Iterator[str]:
+def inner_cc_is_correct(pair: SweepPair) -> Iterator[str]:
     """SweepI_CC returns D_b, which is the inner boundary as defined."""
     top, _, directrix = pair.chains
     expected = look_up_bottom(pair, "inner")
@@ -175,6 +175,6 @@ def every_edge_is_touched(pair: SweepPair) -> Iterator[str]:
     """Every edge of D is in a VE or EE contact."""
     s = sweep(*pair)
     slid = {c.directrix for at in s.contacts for c in at if c.event in ("VE", "EE")}
-    yield from contacts_are_right(s)
+    yield from contacts_are_correct(s)
     if missing := set(range(len(s.directrix))) - slid:
         yield f"no contact along edges {sorted(missing)} of D"

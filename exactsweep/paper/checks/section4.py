@@ -10,7 +10,7 @@ from exactsweep.draw.intervals import SweepFeatures
 from exactsweep.evidence.undercut import Undercut
 from exactsweep.numbers.number import Vertex
 from exactsweep.paper.checks.section1 import STEP
-from exactsweep.paper.checks.section2 import contacts_are_right
+from exactsweep.paper.checks.section2 import contacts_are_correct
 from exactsweep.paper.checks.section3 import returns
 from exactsweep.paper.claim import Counterexample, Effort, Evidence, Observation, Table
 from exactsweep.paper.costs import RUNS
@@ -51,9 +51,9 @@ def is_monotone(name: str, chain: Iterable[Vertex]) -> Iterator[str]:
             yield f"{name} is not strictly X-monotone at x = {p[0]}"
 
 
-trajectory_cm_is_right = returns(trajectory="Trajectory_CM")
-outer_cm_is_right = returns(outer="SweepO_CM")
-inner_cm_is_right = returns(inner="SweepI_CM")
+trajectory_cm_is_correct = returns(trajectory="Trajectory_CM")
+outer_cm_is_correct = returns(outer="SweepO_CM")
+inner_cm_is_correct = returns(inner="SweepI_CM")
 inner_is_monotone = returns(
     "The inner boundary is strictly X-monotone.", is_monotone, inner="SweepI_CM"
 )
@@ -127,7 +127,7 @@ def _form(undercut: Undercut, pair: SweepPair) -> Iterator[str]:
 def labels_name_the_extremes(pair: SweepPair) -> Iterator[str]:
     """The contacts at the positions that close an undercut include both of its extreme points."""
     s = sweep(*pair)
-    yield from contacts_are_right(s)
+    yield from contacts_are_correct(s)
     yield from compare_loops(s, "inner")
     features = SweepFeatures(s)
     for undercut in s.undercuts:
@@ -158,7 +158,7 @@ def sizes_are_bounded(pair: SweepPair) -> Iterator[str]:
 def find_large_parts(effort: Effort) -> Iterator[Observation]:
     rows = []
     for n_b in (4, 8, 16):
-        pair = under_a_lid(n_b)
+        pair = build_deep_teeth(n_b)
         edges, bound = len(look_up_bottom(pair, "outer")) - 1, len(pair.chains.directrix) - 1
         rows.append([str(n_b), str(bound), str(edges)])
         yield from parts_are_bounded(pair)
@@ -168,7 +168,7 @@ def find_large_parts(effort: Effort) -> Iterator[Observation]:
             f"the outer boundary has {growing[0]} edges, although m_b n_t = {bound}, and grows "
             "with n_b",
             "built by hand: deep teeth, and a G with one top edge",
-            *under_a_lid(4),
+            *build_deep_teeth(4),
         )
     yield Table("G_t with one edge, D_b with four teeth", ("n_b", "m_b n_t", "edges"), rows)
 
@@ -184,7 +184,7 @@ def parts_are_bounded(pair: SweepPair) -> Iterator[str]:
     yield from sub_trajectories_suffice(pair)
 
 
-def under_a_lid(n_b: int) -> SweepPair:
+def build_deep_teeth(n_b: int) -> SweepPair:
     """Build a convex G with one top edge and n_b bottom edges, and a D with four deep teeth."""
     generatrix = [(2 * k, k * (k - n_b)) for k in range(n_b + 1)]
     width, depth = 2 * n_b + 2, n_b * n_b

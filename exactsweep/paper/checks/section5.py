@@ -36,7 +36,7 @@ NARROW = SweepPair(
 )
 
 
-trajectory_mm_is_right = returns(trajectory="Trajectory_MM")
+trajectory_mm_is_correct = returns(trajectory="Trajectory_MM")
 mm_trajectory_is_monotone = returns("", is_monotone, trajectory="Trajectory_MM")
 
 
@@ -62,7 +62,7 @@ def inverse_is_a_reflection(pair: SweepPair) -> Iterator[str]:
         yield "the inverse of the top chain is not the bottom chain of the inverse"
 
 
-def complement_has_the_outside_left(pair: SweepPair) -> Iterator[str]:
+def complement_has_the_exterior_left(pair: SweepPair) -> Iterator[str]:
     """The complement is the same chain, with the exterior on its left."""
     directrix = pair.chains.directrix
     if complement(complement(directrix)) != directrix:
@@ -97,7 +97,7 @@ def inner_as_printed(pair: SweepPair) -> Iterator[str]:
         )
 
 
-sweep_mm_is_right = returns(
+sweep_mm_is_correct = returns(
     "Sweep_MM, as corrected, returns both boundaries as defined.",
     inner="Sweep_MM, inner loop",
     outer="Sweep_MM, outer loop",
@@ -143,14 +143,14 @@ def _measure_width(normal: Vertex, polygon: AnyPolygon) -> Rational:
 
 
 def find_missing_edge(effort: Effort) -> Iterator[Observation]:
-    def lacks(pair: SweepPair, name: str) -> Iterator[str]:
+    def misses_slopes(pair: SweepPair, name: str) -> Iterator[str]:
         s = sweep(*pair)
         slopes, own = ({*map(slope, list_edges(x))} for x in (s.trajectory, getattr(s, name)))
         for missing in sorted(slopes - own):
             yield f"the trajectory has edges of slope {missing}, the {name} loop has none"
 
-    yield search_grid(2, 6, "convex", "convex", partial(lacks, name="inner"))
-    yield (outer := search_grid(3, 8, "bent", "bent", partial(lacks, name="outer")))
+    yield search_grid(2, 6, "convex", "convex", partial(misses_slopes, name="inner"))
+    yield (outer := search_grid(3, 8, "bent", "bent", partial(misses_slopes, name="outer")))
     yield "" if outer.cases else "the outer loop has edges of all slopes of the trajectory"
     near = shrink(edges_are_near, NARROW)
     text = find_first_failure(edges_are_near(near))
@@ -167,7 +167,7 @@ def edges_are_near(pair: SweepPair) -> Iterator[str]:
     for p, q in list_edges(s.trajectory):
         normal = q.y - p.y, p.x - q.x
         inner, outer = (
-            _measure(normal, [v for v in s.generatrix.vertices if _draws(v, (p, q), loop)])
+            _measure(normal, [v for v in s.generatrix.vertices if _traces(v, (p, q), loop)])
             for loop in loops
         )
         width = _measure_width(normal, s.generatrix)
@@ -179,7 +179,7 @@ def edges_are_near(pair: SweepPair) -> Iterator[str]:
             )
 
 
-def _draws(v: Vertex, edge: Edge, loop: Sequence[Segment]) -> bool:
+def _traces(v: Vertex, edge: Edge, loop: Sequence[Segment]) -> bool:
     """Decide whether a vertex of G draws part of a loop along an edge of the trajectory."""
     (px, py), (qx, qy) = edge
     drawn = make_segment(((px + v[0], py + v[1]), (qx + v[0], qy + v[1])))
@@ -219,7 +219,7 @@ def shortcuts_change_nothing(pair: SweepPair) -> Iterator[str]:
         yield describe_difference(f"the {name}", chain, literally, "as printed")
 
 
-def outer_loop_reaches_by_the_width(pair: SweepPair) -> Iterator[str]:
+def outer_loop_extends_by_the_width(pair: SweepPair) -> Iterator[str]:
     """The outer loop extends beyond each edge of D by the width of G across the edge."""
     s = sweep(*pair)
     yield from compare_loops(s, "outer")

@@ -15,7 +15,7 @@ from itertools import pairwise
 from exactsweep.corpus.generator.growing import bumps, edges_of_bumps, printed_count
 from exactsweep.numbers.error import ExactSweepError
 from exactsweep.numbers.number import Vertex
-from exactsweep.paper.checks.section5 import sub_trajectories_suffice, trajectory_mm_is_right
+from exactsweep.paper.checks.section5 import sub_trajectories_suffice, trajectory_mm_is_correct
 from exactsweep.paper.claim import Counterexample, Effort, Evidence, Observation, Table
 from exactsweep.paper.costs import RUNS
 from exactsweep.paper.functions import describe_difference, keep_corners, look_up_bottom
@@ -37,10 +37,10 @@ FINE = 64
 RECORDS = tuple(map(read_pair, _DATA["records"]))
 
 # Found by the search of Lemma 5.2.
-OUTGROWING = SweepPair([(0, 3), (1, 0), (2, 3), (1, 1)], [(0, 0), (1, 1), (3, 0), (1, 2)])
+EXCEEDING = SweepPair([(0, 3), (1, 0), (2, 3), (1, 1)], [(0, 0), (1, 1), (3, 0), (1, 2)])
 
 
-def outgrows_its_parts(pair: SweepPair) -> Iterator[str]:
+def exceeds_its_parts(pair: SweepPair) -> Iterator[str]:
     """A trajectory has at most as many edges as its sub-trajectories in total."""
     sizes = [len(keep_corners(chain)) - 1 for chain in list_sub_trajectories(pair.chains)]
     found = len(keep_corners(trajectory_mm(*pair.chains[::2]))) - 1
@@ -63,7 +63,7 @@ def fill_windows(effort: Effort) -> Iterator[Observation]:
     for segments in BEST:
         pair, count, most = build_windows(segments), len(segments), count_pieces(segments)
         if count <= 3:
-            yield from trajectory_mm_is_right(pair)
+            yield from trajectory_mm_is_correct(pair)
         # One trajectory contains all windows.
         expected = (count + 1) * most + pieces_at_the_sides(segments)
         found = pieces_in(keep_corners(trajectory_mm(*pair.chains[::2])), segments)
@@ -79,8 +79,8 @@ def fill_windows(effort: Effort) -> Iterator[Observation]:
         rows,
     )
     yield _report_fall([row[3] for row in rows], "the pieces per segment do not rise")
-    yield from trajectory_mm_is_right(OUTGROWING)
-    yield from sub_trajectories_suffice(OUTGROWING)
+    yield from trajectory_mm_is_correct(EXCEEDING)
+    yield from sub_trajectories_suffice(EXCEEDING)
 
 
 def _report_fall(rates: Sequence[str], words: str) -> str:

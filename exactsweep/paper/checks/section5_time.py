@@ -10,7 +10,7 @@ from exactsweep.numbers.number import Vertex
 from exactsweep.paper import counting, kernel
 from exactsweep.paper.checks.appendix import watch_slots
 from exactsweep.paper.checks.section4 import lowest
-from exactsweep.paper.checks.section5_sizes import OUTGROWING, find_beyond_mn2, outgrows_its_parts
+from exactsweep.paper.checks.section5_sizes import EXCEEDING, exceeds_its_parts, find_beyond_mn2
 from exactsweep.paper.claim import Counterexample, Effort, Evidence, Observation, Table
 from exactsweep.paper.costs import count_all
 from exactsweep.paper.functions import clip_to, describe_difference, look_up_bottom
@@ -59,7 +59,7 @@ def merge_by_halves(pair: SweepPair) -> tuple[int, float]:
     return tally.total + sum(1 for _ in merged), size * max(1.0, log2(len(graphs)))
 
 
-def lower_envelope_mm_is_right(pair: SweepPair) -> Iterator[str]:
+def lower_envelope_mm_is_correct(pair: SweepPair) -> Iterator[str]:
     """LowerEnvelope_MM returns the lower envelope of its chains."""
     chains = kernel.list_sub_trajectories(pair.chains)
     found = lower_envelope_mm(chains)
@@ -69,7 +69,7 @@ def lower_envelope_mm_is_right(pair: SweepPair) -> Iterator[str]:
 
 def find_large_trajectory(effort: Effort) -> Iterator[Observation]:
     how = "the first of the non-convex quadrilaterals on the 4 by 4 grid"
-    yield from (Counterexample(text, how, *OUTGROWING) for text in outgrows_its_parts(OUTGROWING))
+    yield from (Counterexample(text, how, *EXCEEDING) for text in exceeds_its_parts(EXCEEDING))
 
 
 def find_large_loop(effort: Effort) -> Iterator[Observation]:

@@ -4,7 +4,7 @@ from collections.abc import Iterator, Sequence
 
 from exactsweep.numbers.number import Vertex
 from exactsweep.paper import functions
-from exactsweep.paper.checks.appendix import meetings
+from exactsweep.paper.checks.appendix import describe_meeting
 from exactsweep.paper.claim import Counterexample, Effort, Evidence, Observation
 from exactsweep.paper.costs import count_all
 from exactsweep.paper.counting import count_chains, count_operations, watch_operations
@@ -27,7 +27,7 @@ def partial_meets_whole(pair: SweepPair) -> Iterator[str]:
     first = [*parts[0], *(p for part in parts[1:-1] for p in part[1:])]
     partial = list(trajectory_cm(top, first))
     whole = functions.look_up_bottom(pair, "trajectory")
-    if failure := meetings(partial, whole)[0]:
+    if failure := describe_meeting(partial, whole)[0]:
         yield f"T_(i-1) and T(G_t, D_b): {failure}"
 
 
@@ -39,7 +39,7 @@ def output_is_closed(pair: SweepPair) -> Iterator[str]:
         yield f"it returns a chain of {len(found) - 1} edges; T(G, D) has {len(whole)}"
 
 
-def inner_is_ready_before(pair: SweepPair) -> Iterator[str]:
+def inner_is_complete_before(pair: SweepPair) -> Iterator[str]:
     """Before step 3 of SweepI_CM the list L is the inner boundary."""
     if functions.look_up_bottom(pair, "inner") != functions.take_bottom(pair.directrix):
         yield "after step 2, the list L is still D_b, not the inner boundary"
@@ -84,7 +84,7 @@ def _shape(chain: Sequence[Vertex]) -> list[Vertex]:
     return [(p - x, q - y) for p, q in chain]
 
 
-def parts_have_numbers(pair: SweepPair) -> Iterator[str]:
+def parts_have_counterparts(pair: SweepPair) -> Iterator[str]:
     """There is a G_i for each D_i."""
     top, _, directrix = pair.chains
     parts, others = len(find_convex_parts(directrix)), len(find_convex_parts(inverse(top)))

@@ -33,7 +33,7 @@ HIGH = 16
 
 def _draw_call(places: Mapping[str, Vertex], one: str, other: str) -> tuple[Vertex, Vertex]:
     start, end = places[one], places[other]
-    return _leave(start, _rim(one, start), end), _leave(end, _rim(other, end), start)
+    return _find_exit(start, _box(one, start), end), _find_exit(end, _box(other, end), start)
 
 
 def watch_calls(words: Mapping[CodeType, str], *runs: Callable[[], object]) -> set[tuple[str, str]]:
@@ -74,7 +74,7 @@ def _show(
     return PaperFigure(
         facts=[(f"({letter}) {thing}, calls", f"{len(places)}, {len(calls)}")],
         shapes={"calls": [_draw_call(places, *call) for call in calls]}
-        | {"boxes": [_rim(*box) for box in places.items()], "middles": list(places.values())},
+        | {"boxes": [_box(*box) for box in places.items()], "middles": list(places.values())},
         words={"names": list(places)},
     )
 
@@ -95,12 +95,12 @@ def compute() -> PaperFigure:
     return join_panels({"": whole} | panels)
 
 
-def _rim(name: str, place: Vertex) -> list[Vertex]:
+def _box(name: str, place: Vertex) -> list[Vertex]:
     (x, y), wide, high = place, Fraction(52 * len(name) + 80, 20), Fraction(HIGH, 2)
     return [(x - wide, y - high), (x + wide, y - high), (x + wide, y + high), (x - wide, y + high)]
 
 
-def _leave(middle: Vertex, rim: list[Vertex], towards: Vertex) -> Vertex:
+def _find_exit(middle: Vertex, rim: list[Vertex], towards: Vertex) -> Vertex:
     """Return the point where the line from the center of a box to another one leaves the box."""
     (x, y), (dx, dy) = middle, (towards[0] - middle[0], towards[1] - middle[1])
     wide, high = rim[2][0] - x, rim[2][1] - y
