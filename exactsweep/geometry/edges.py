@@ -18,6 +18,10 @@ BoxedEdge = tuple[int, int, int, int, Rational, Rational, Rational, Rational, in
 ring, and its index in the ring."""
 
 
+MovedEdge = tuple[Rational, Rational, Rational, Rational, Vertex, Vertex, BoxedEdge]
+"""A translated edge: its box, its ends, and the original."""
+
+
 class EdgeIndex:
     """An index of the edges of a shape or a path; rings have the interior on the left."""
 
@@ -56,6 +60,28 @@ class EdgeIndex:
     def near(self, box: Bounds) -> list[BoxedEdge]:
         """Return the edges whose boxes meet a box, sorted by their left ends."""
         return [self.edges[k] for k in sorted(self._rows.find(box))]
+
+    def moved(self, box: Bounds, x: Rational, y: Rational, scale: int) -> list[MovedEdge]:
+        """Return the edges near a box, with the shape at (x / scale, y / scale), times the scale.
+
+        They are sorted by their left ends.
+        """
+        left, right, low, high = box
+        near = self.near(
+            (left + -x // scale, right - x // scale, low + -y // scale, high - y // scale)
+        )
+        return [
+            (
+                edge[0] * scale + x,
+                edge[1] * scale + x,
+                edge[2] * scale + y,
+                edge[3] * scale + y,
+                (edge[4] * scale + x, edge[5] * scale + y),
+                (edge[6] * scale + x, edge[7] * scale + y),
+                edge,
+            )
+            for edge in near
+        ]
 
     def contains(self, x: Rational, y: Rational, scale: int) -> bool:
         """Decide by ray casting whether (x / scale, y / scale), not on an edge, is inside."""

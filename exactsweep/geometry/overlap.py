@@ -29,9 +29,6 @@ from exactsweep.numbers.number import Rational, Vertex
 _EdgeCone = tuple[Vertex, Vertex]
 """The outgoing and the incoming ray at a point of a boundary."""
 
-_MovedEdge = tuple[Rational, Rational, Rational, Rational, Vertex, Vertex, BoxedEdge]
-"""An edge on the lattice of a position: its box, its ends, and the edge itself."""
-
 
 class Relation(Enum):
     """The relation of two shapes."""
@@ -53,10 +50,9 @@ def relate(
     >>> [relate(square, square, k, k).value for k in (1, 2, 3)]
     ['OVERLAP', 'CONTACT', 'FREE']
     """
-    x0, x1, y0, y1 = x // scale, -(-x // scale), y // scale, -(-y // scale)
     (left, right, low, high), (west, east, south, north) = shape.box, part.box
-    left, right = max(left, west + x0), min(right, east + x1)
-    low, high = max(low, south + y0), min(high, north + y1)
+    left, right = max(left, west + x // scale), min(right, east - -x // scale)
+    low, high = max(low, south + y // scale), min(high, north - -y // scale)
     if left > right or low > high:
         return Relation.APART
     cones = _find_cones(shape, part, (left, right, low, high), (x, y, scale))
@@ -78,22 +74,13 @@ def _find_cones(
 
     Returns None if edges cross, or overlap in the same direction.
     """
-    x, y, scale = position
-    x0, x1, y0, y1 = x // scale, -(-x // scale), y // scale, -(-y // scale)
-
-    def find_others(box: Bounds) -> list[_MovedEdge]:
-        left, right, low, high = box
-        near = part.near((left - x1, right - x0, low - y1, high - y0))
-        return [_move(edge, x, y, scale) for edge in near]
-
     cones: defaultdict[Vertex, tuple[set[_EdgeCone], set[_EdgeCone]]]
     cones = defaultdict(lambda: (set(), set()))
     along: list[tuple[Sequence[Vertex], BoxedEdge, BoxedEdge]] = []
-    others = find_others(box)
-    for edge in shape.near(box):
-        left, right, low, high, p, q, _ = _move(edge, 0, 0, scale)
-        meeting = others if len(others) <= PER_ROW else find_others(edge[:4])
-        for west, east, south, north, a, b, other in meeting:
+    others = part.moved(box, *position)
+    for left, right, low, high, p, q, edge in shape.moved(box, 0, 0, position[2]):
+        near = others if len(others) <= PER_ROW else part.moved(edge[:4], *position)
+        for west, east, south, north, a, b, other in near:
             if west > right:
                 break
             if east < left or south > high or north < low:
@@ -119,20 +106,6 @@ def _find_cones(
                 ours.add(_find_cone(shape, edge, False))
                 theirs.add(_find_cone(part, other, False))
     return cones
-
-
-def _move(edge: BoxedEdge, x: Rational, y: Rational, scale: int) -> _MovedEdge:
-    """Return an edge on the lattice of a position."""
-    left, right, low, high, ax, ay, bx, by, _, _ = edge
-    return (
-        left * scale + x,
-        right * scale + x,
-        low * scale + y,
-        high * scale + y,
-        (ax * scale + x, ay * scale + y),
-        (bx * scale + x, by * scale + y),
-        edge,
-    )
 
 
 def _find_cone(shape: EdgeIndex, edge: BoxedEdge, is_end: bool) -> _EdgeCone:

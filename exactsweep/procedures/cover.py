@@ -1,4 +1,4 @@
-"""The pruning step for wide shapes, in which grid squares prove that parts of segments are in O.
+"""The pruning step for wide shapes, in which grid squares prove that contact segments are in O.
 
 (1) Let A be a block of two by two squares inside D, off its boundary, and let H have a point b in
     a square B. Then A + b is in O = int D + int H, because b is a limit of inner points of H. For
@@ -10,7 +10,7 @@ A set of squares is a list of bitmasks, one int per column and one bit per row.
 from __future__ import annotations
 
 from collections import defaultdict
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Sequence
 from fractions import Fraction
 from functools import reduce
 from itertools import chain, pairwise, product
@@ -29,13 +29,14 @@ _MOST_COLUMNS = 400
 def leave_out_covered(
     segments: Sequence[ContactSegment], obstacles: Sequence[Rings], moving: Sequence[Rings]
 ) -> Sequence[ContactSegment]:
-    """Cut contact segments at columns of squares, and drop the pieces that squares cover.
+    """Return the contact segments whose boxes are not covered by squares.
 
-    Cost: as for `add_squares`, plus O(1) for each column that a segment meets.
+    Cost: as for `add_squares`, plus O(1) for each column that a box meets.
     """
     if len(segments) < _FEW:
         return segments
-    lefts, rights, lows, highs = zip(*(segment.box for segment in segments), strict=True)
+    boxes = [segment.box for segment in segments]
+    lefts, rights, lows, highs = zip(*boxes, strict=True)
     width, height = max(rights) - min(lefts), max(highs) - min(lows)
     area = (sum(rights) - sum(lefts)) * (sum(highs) - sum(lows))
     if 2 * area < _CROSSINGS * len(segments) * width * height:
@@ -48,7 +49,12 @@ def leave_out_covered(
     for left, low, squares in sums:
         for k, rows in enumerate(squares, left):
             columns[k] |= rows << low - lowest
-    return [piece for segment in segments for piece in split(segment, side, lowest, columns)]
+
+    def is_covered(left: int, right: int, low: int, high: int) -> bool:
+        rows = (2 << high // side - lowest) - (1 << low // side - lowest)
+        return all(columns[k] & rows == rows for k in range(left // side, right // side + 1))
+
+    return [segment for segment, box in zip(segments, boxes, strict=True) if not is_covered(*box)]
 
 
 def _find_extent(rings: Rings) -> int:
@@ -99,30 +105,3 @@ def find_squares(rings: Rings, side: int) -> tuple[int, int, list[int], list[int
             if px <= k * side < qx:
                 odd[k - left] ^= -1 << start // unit + 1 - low
     return left, low, near, odd
-
-
-def split(
-    segment: ContactSegment, side: int, lowest: int, columns: Mapping[int, int]
-) -> Iterator[ContactSegment]:
-    """Yield the pieces of a segment outside the covered squares; the lowest bit is row `lowest`."""
-    (dx, dy, c), low, high = segment.line, segment.low, segment.high
-    first = low // side
-    if dx == 0:
-        bits = (2 << high // side - lowest) - (1 << first - lowest)
-        if columns[-c // (dy * side)] & bits != bits:
-            yield segment
-        return
-    unit, start = dx * side, None
-    row = (low * dy + c) // unit - lowest
-    for k in range(first, -(-high // side)):
-        left, right = max(k * side, low), min((k + 1) * side, high)
-        next_row = (right * dy + c) // unit - lowest
-        bottom, top = (row, next_row) if row < next_row else (next_row, row)
-        bits, row = (2 << top) - (1 << bottom), next_row
-        if columns[k] & bits != bits:
-            start = left if start is None else start
-        elif start is not None:
-            yield segment.between(start, left)
-            start = None
-    if start is not None:
-        yield segment if start == low else segment.between(start, high)

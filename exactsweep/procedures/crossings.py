@@ -111,11 +111,10 @@ def _find_left_over(
 ) -> list[tuple[HomogeneousPoint, HomogeneousPoint]]:
     """Return the ends of the pieces that remain by (1), and add points to the meetings by (3)."""
     line, is_two_sided = segment.line, segment.sides == BOTH
-    start, end = segment.low.as_integer_ratio(), segment.high.as_integer_ratio()
-    (covered, end_covered), (at, end_key) = segment.covered, segment.keys
     left: list[tuple[_Parameter, _Parameter]] = []
     # Hold each piece back: more crossings at its end may prove that it is in O.
     waiting: tuple[_Parameter, _Parameter] | None = None
+    start, (at, end), covered = segment.low.as_integer_ratio(), segment.keys, False
     last: int | None = None
     for key, n, d, before, after, other_sides in sorted(segment.cuts):
         if key == last or (is_two_sided and other_sides == BOTH):
@@ -129,12 +128,10 @@ def _find_left_over(
         else:
             waiting = None if before else waiting
             covered = covered or after
-    if at < end_key:
-        if waiting:
-            left.append(waiting)
-        waiting = None if covered else (start, end)
-    if waiting and not end_covered:
+    if waiting:
         left.append(waiting)
+    if at < end and not covered:
+        left.append((start, segment.high.as_integer_ratio()))
     return [(find_point(line, *p), find_point(line, *q)) for p, q in left]
 
 

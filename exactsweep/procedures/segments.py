@@ -69,7 +69,6 @@ class ContactSegment:
         low, high: the parameters of the ends.
         sides: the sides of the line with overlap, by (2).
         low_sides, high_sides: the sides on which overlap passes through the ends.
-        covered: whether pruning cut the segment at its low end, and at its high end.
         cuts, keys: the crossings with other segments, and the keys of the ends; see `crossings`.
     """
 
@@ -79,7 +78,6 @@ class ContactSegment:
     sides: Sides
     low_sides: Sides = NEITHER
     high_sides: Sides = NEITHER
-    covered: Sides = NEITHER
     cuts: list[Cut] = field(default_factory=list)
     keys: tuple[int, int] = (0, 0)
 
@@ -91,15 +89,6 @@ class ContactSegment:
             return -c // dy, -(c // dy), low // 1, -(-high // 1)
         first, last = (low, high) if dy >= 0 else (high, low)
         return low // 1, -(-high // 1), (first * dy + c) // dx, -((-last * dy - c) // dx)
-
-    def between(self, low: Rational, high: Rational) -> ContactSegment:
-        """Return the piece from one parameter to another, with overlap beyond each cut."""
-        ends = low > self.low, high < self.high
-        low_sides, high_sides = (
-            self.sides if is_cut else sides
-            for is_cut, sides in zip(ends, (self.low_sides, self.high_sides), strict=True)
-        )
-        return ContactSegment(self.line, low, high, self.sides, low_sides, high_sides, ends)
 
 
 def find_contact_segments(

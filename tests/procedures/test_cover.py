@@ -1,6 +1,5 @@
 """Squares of a grid that are proved to be overlapped, and the remaining segments."""
 
-from collections import defaultdict
 from collections.abc import Iterator
 from fractions import Fraction
 from itertools import product
@@ -9,14 +8,14 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 from polyominoes import Cells, polyominoes
-from pruned import Overlaps, rings
+from pruned import Overlaps, pruning, rings
 from tiers import examples
 
 from exactsweep import Polygon
 from exactsweep.check import point_in_polygon
 from exactsweep.geometry.edges import Rings
 from exactsweep.numbers.number import Point, Vertex
-from exactsweep.procedures.cover import add_squares, find_squares, leave_out_covered, split
+from exactsweep.procedures.cover import add_squares, find_squares, leave_out_covered
 from exactsweep.procedures.positions import reflect
 from exactsweep.procedures.segments import ContactSegment, find_contact_segments
 
@@ -46,16 +45,26 @@ def test_each_corner_of_a_covered_square_is_overlapped(
 
 def test_a_large_square_is_covered_but_for_its_border() -> None:
     square: Rings = [[(0, 0), (64, 0), (64, 64), (0, 64)]]
-    left, low, columns = add_squares(square, reflect(square), 4)
+    _, _, columns = add_squares(square, reflect(square), 4)
     # Of 32 x 32 squares of O those that do not touch its boundary, less two rows each way.
     assert 26 * 26 <= sum(map(int.bit_count, columns)) <= 30 * 30
-    squares = defaultdict(int, enumerate(columns, left))
-    for dx, dy in [(1, 0), (0, 1), (1, 1), (3, -2)]:
-        assert not [*split(ContactSegment((dx, dy, 1), -30, 30, (True, True)), 4, low, squares)]
-    (piece,) = split(ContactSegment((1, 0, 0), -64, 30, (True, True)), 4, low, squares)
-    assert piece.low == -64
-    assert -60 <= piece.high <= -52
-    assert (piece.covered, piece.high_sides) == ((False, True), (True, True))
+
+
+def test_segments_in_covered_squares_are_left_out() -> None:
+    """Of diagonals all over O, a square around (64, 64), those off its boundary."""
+    square: Rings = [[(0, 0), (64, 0), (64, 64), (0, 64)]]
+    segments = [
+        ContactSegment((1, slope, y - slope * x), x, x + 4, (True, False))
+        for x, y in product(range(4, 122, 6), repeat=2)
+        for slope in (1, -1)
+    ]
+    with pruning(thin=False, wide=True):
+        kept = {id(segment) for segment in leave_out_covered(segments, [square], [square])}
+    for segment in segments:
+        left, right, low, high = segment.box
+        farthest = max(abs(left - 64), abs(right - 64), abs(low - 64), abs(high - 64))
+        assert id(segment) not in kept or farthest > 55
+    assert kept
 
 
 @given(polyominoes(9, 4), MATRICES, st.integers(1, 8), st.integers(-60, 60), st.booleans())
@@ -92,19 +101,6 @@ def meets(edge: tuple[Vertex, Vertex], box: tuple[int, int, int, int]) -> bool:
         (qx - px) * (y - py) - (qy - py) * (x - px) for x in (left, right) for y in (bottom, top)
     ]
     return min(sides) <= 0 <= max(sides)
-
-
-@pytest.mark.parametrize(("line", "low"), [((1, 0, 0), 900), ((1, 0, 900), 0), ((0, 1, -900), 0)])
-def test_nothing_is_covered_beyond_the_squares(line: tuple[int, int, int], low: int) -> None:
-    square: Rings = [[(0, 0), (64, 0), (64, 64), (0, 64)]]
-    left, lowest, columns = add_squares(square, reflect(square), 4)
-    dx, dy, c = line
-    for sign in (1, -1):
-        begin, end = sorted((sign * low, sign * low + 20 * sign))
-        segment = ContactSegment((dx, dy, sign * c), begin, end, (True, True))
-        row = min(lowest, -300)
-        squares = {k: bits << lowest - row for k, bits in enumerate(columns, left)}
-        assert [*split(segment, 4, row, defaultdict(int, squares))] == [segment]
 
 
 def ring_of(size: int, x: int, y: int) -> list[Vertex]:

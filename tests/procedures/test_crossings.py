@@ -92,17 +92,6 @@ def test_parameters_that_nearly_agree_have_different_keys() -> None:
         assert (first < last) == (Fraction(n, d) < Fraction(m, e))
 
 
-def test_a_piece_of_a_segment_is_covered_where_it_was_cut() -> None:
-    whole = ContactSegment((1, 0, 0), 2, 9, (True, False), (False, True))
-    whole.high_sides = False, True
-    for low, high in product((2, 3), (8, 9)):
-        piece = whole.between(low, high)
-        assert (piece.low, piece.high) == (low, high)
-        assert piece.covered == (low > 2, high < 9)
-        assert piece.low_sides == ((True, False) if low > 2 else (False, True))
-        assert piece.high_sides == ((True, False) if high < 9 else (False, True))
-
-
 def segments(shift: Rational) -> list[ContactSegment]:
     rng = Random(7)
     return [
@@ -153,7 +142,6 @@ def test_remaining_pieces_are_those_without_cuts() -> None:
     rng = Random(1)
     for _ in range(600):
         segment = ContactSegment((1, 0, 0), 0, 4, rng.choice(BOTH[1:]))
-        segment.covered = rng.random() < 0.2, rng.random() < 0.2
         segment.keys = 0, 4
         cuts: list[Cut] = [
             (place, place * scale, scale, rng.random() < 0.3, rng.random() < 0.3, rng.choice(BOTH))
@@ -168,8 +156,6 @@ def test_remaining_pieces_are_those_without_cuts() -> None:
         places = sorted(at)
         covered_after = {p for p in places if any(noted[4] for noted in at[p])}
         covered_before = {p for p in places if any(noted[3] for noted in at[p])}
-        covered_after |= {places[0]} if segment.covered[0] else set()
-        covered_before |= {places[-1]} if segment.covered[1] else set()
         expected = [
             (p, q)
             for p, q in pairwise(places)
