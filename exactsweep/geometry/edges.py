@@ -8,18 +8,14 @@ from itertools import chain, pairwise
 
 from exactsweep.geometry.near import Bounds, BoxRows, bound_points
 from exactsweep.geometry.vectors import cross, is_on_segment
-from exactsweep.numbers.number import Rational, Vertex
+from exactsweep.numbers.number import Edge, Rational, Vertex
 
 Rings = Sequence[Sequence[Vertex]]
 """The boundary of a shape: rings with the interior on the left."""
 
-BoxedEdge = tuple[int, int, int, int, Rational, Rational, Rational, Rational, int, int]
-"""An edge: its box, rounded outwards to ints; its ends (ax, ay) and (bx, by); the index of its
-ring, and its index in the ring."""
-
-
-MovedEdge = tuple[Rational, Rational, Rational, Rational, Vertex, Vertex, BoxedEdge]
-"""A translated edge: its box, its ends, and the original."""
+BoxedEdge = tuple[Rational, Rational, Rational, Rational, Vertex, Vertex, int, int]
+"""An edge: its box, rounded outwards to ints; its start and its end; the index of its ring, and its
+index in the ring."""
 
 
 class EdgeIndex:
@@ -48,7 +44,7 @@ class EdgeIndex:
                 left, right = (ax, bx) if ax < bx else (bx, ax)
                 low, high = (ay, by) if ay < by else (by, ay)
                 box = left // 1, -(-right // 1), low // 1, -(-high // 1)
-                found.append((*box, ax, ay, bx, by, k, (i or len(ring)) - 1))
+                found.append((*box, (ax, ay), (bx, by), k, (i or len(ring)) - 1))
                 ax, ay = bx, by
         found.sort()
         return found
@@ -61,26 +57,30 @@ class EdgeIndex:
         """Return the edges whose boxes meet a box, sorted by their left ends."""
         return [self.edges[k] for k in sorted(self._rows.find(box))]
 
-    def moved(self, box: Bounds, x: Rational, y: Rational, scale: int) -> list[MovedEdge]:
-        """Return the edges near a box, with the shape at (x / scale, y / scale), times the scale.
+    def moved(self, box: Bounds, x: Rational, y: Rational, scale: int) -> list[BoxedEdge]:
+        """Return the edges, times a scale and translated, that are near a box.
 
         They are sorted by their left ends.
         """
         left, right, low, high = box
-        near = self.near(
-            (left + -x // scale, right - x // scale, low + -y // scale, high - y // scale)
+        near = (
+            (left - x) // scale,
+            -((x - right) // scale),
+            (low - y) // scale,
+            -((y - high) // scale),
         )
         return [
             (
-                edge[0] * scale + x,
-                edge[1] * scale + x,
-                edge[2] * scale + y,
-                edge[3] * scale + y,
-                (edge[4] * scale + x, edge[5] * scale + y),
-                (edge[6] * scale + x, edge[7] * scale + y),
-                edge,
+                west * scale + x,
+                east * scale + x,
+                south * scale + y,
+                north * scale + y,
+                (ax * scale + x, ay * scale + y),
+                (bx * scale + x, by * scale + y),
+                ring,
+                k,
             )
-            for edge in near
+            for west, east, south, north, (ax, ay), (bx, by), ring, k in self.near(near)
         ]
 
     def contains(self, x: Rational, y: Rational, scale: int) -> bool:
@@ -89,12 +89,7 @@ class EdgeIndex:
         if not (left * scale < x < right * scale and low * scale < y < high * scale):
             return False
         ray = left // 1, -(-x // scale), y // scale, -(-y // scale)
-        return _is_around(x, y, (edge[4:8] for edge in self.near(ray)), scale)
-
-    def after(self, edge: BoxedEdge) -> Vertex:
-        """Return the vertex after an edge."""
-        ring = self.rings[edge[8]]
-        return ring[(edge[9] + 2) % len(ring)]
+        return _is_around(x, y, ((edge[4], edge[5]) for edge in self.near(ray)), scale)
 
 
 def is_inside(point: Vertex, rings: Rings) -> bool:
@@ -105,19 +100,13 @@ def is_inside(point: Vertex, rings: Rings) -> bool:
     (True, False)
     """
     edges = [edge for ring in rings for edge in pairwise((*ring, ring[0]))]
-    is_around = _is_around(*point, ((*a, *b) for a, b in edges))
-    return is_around and not any(is_on_segment(point, *edge) for edge in edges)
+    return _is_around(*point, edges) and not any(is_on_segment(point, *edge) for edge in edges)
 
 
-def _is_around(
-    x: Rational,
-    y: Rational,
-    edges: Iterable[tuple[Rational, Rational, Rational, Rational]],
-    scale: int = 1,
-) -> bool:
+def _is_around(x: Rational, y: Rational, edges: Iterable[Edge], scale: int = 1) -> bool:
     """Decide whether a point off all edges has an odd number of edges on its left."""
     odd = False
-    for ax, ay, bx, by in edges:
+    for (ax, ay), (bx, by) in edges:
         up = ay < by
         if (ay * scale <= y < by * scale) if up else (by * scale <= y < ay * scale):
             side = (bx - ax) * (y - ay * scale) - (by - ay) * (x - ax * scale)

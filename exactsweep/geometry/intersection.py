@@ -90,11 +90,10 @@ def _find_point(p: Vertex, q: Vertex, at: Rational) -> Vertex:
 
 def _find_pieces(shape: EdgeIndex, other: EdgeIndex, *, keeps_shared: bool) -> Iterator[Edge]:
     """Yield the pieces of a boundary that bound the intersection, by (2)."""
-    for left, right, low, high, ax, ay, bx, by, _, _ in shape.near(other.box):
-        p, q = (ax, ay), (bx, by)
+    for left, right, low, high, p, q, _, _ in shape.near(other.box):
         cuts = _Cuts({0, 1}, [])
         for edge in other.near((left, right, low, high)):
-            _cut(p, q, edge[4:6], edge[6:8], cuts)
+            _cut(p, q, edge[4], edge[5], cuts)
         for start, end in pairwise(sorted(cuts.places)):
             shared = [same for low, high, same in cuts.along if low <= start and end <= high]
             if shared:

@@ -56,7 +56,7 @@ class Outline:
         """Find the vertices at point / scale, and the edges that contain it in their interior."""
         x, y = point
         box = x // scale, -(-x // scale), y // scale, -(-y // scale)
-        for _, _, _, _, ax, ay, bx, by, ring, k in self._index.near(box):
+        for _, _, _, _, (ax, ay), (bx, by), ring, k in self._index.near(box):
             start = ax * scale, ay * scale
             if point == start:
                 yield "V", self.starts[ring] + k

@@ -51,8 +51,8 @@ def relate(
     ['OVERLAP', 'CONTACT', 'FREE']
     """
     (left, right, low, high), (west, east, south, north) = shape.box, part.box
-    left, right = max(left, west + x // scale), min(right, east - -x // scale)
-    low, high = max(low, south + y // scale), min(high, north - -y // scale)
+    left, right = max(left * scale, west * scale + x), min(right * scale, east * scale + x)
+    low, high = max(low * scale, south * scale + y), min(high * scale, north * scale + y)
     if left > right or low > high:
         return Relation.APART
     cones = _find_cones(shape, part, (left, right, low, high), (x, y, scale))
@@ -78,9 +78,10 @@ def _find_cones(
     cones = defaultdict(lambda: (set(), set()))
     along: list[tuple[Sequence[Vertex], BoxedEdge, BoxedEdge]] = []
     others = part.moved(box, *position)
-    for left, right, low, high, p, q, edge in shape.moved(box, 0, 0, position[2]):
-        near = others if len(others) <= PER_ROW else part.moved(edge[:4], *position)
-        for west, east, south, north, a, b, other in near:
+    for edge in shape.moved(box, 0, 0, position[2]):
+        left, right, low, high, p, q, _, _ = edge
+        for other in others if len(others) <= PER_ROW else part.moved(edge[:4], *position):
+            west, east, south, north, a, b, _, _ = other
             if west > right:
                 break
             if east < left or south > high or north < low:
@@ -95,23 +96,26 @@ def _find_cones(
                 # A vertex belongs to the edge that ends there.
                 if p != z != a:
                     ours, theirs = cones[z]
-                    ours.add(_find_cone(shape, edge, z == q))
-                    theirs.add(_find_cone(part, other, z == b))
+                    ours.add(_find_cone(z, edge, shape.rings))
+                    theirs.add(_find_cone(z, other, part.rings))
             if len(common) == 2:
                 along.append((common, edge, other))
     # Another ring may touch the interior of one of two overlapping edges.
     for (first, last), edge, other in along:
         for z, (ours, theirs) in cones.items():
             if first < z < last and is_on_segment(z, first, last):
-                ours.add(_find_cone(shape, edge, False))
-                theirs.add(_find_cone(part, other, False))
+                ours.add(_find_cone(z, edge, shape.rings))
+                theirs.add(_find_cone(z, other, part.rings))
     return cones
 
 
-def _find_cone(shape: EdgeIndex, edge: BoxedEdge, is_end: bool) -> _EdgeCone:
-    """Return the cone at the end of an edge, or in its interior."""
-    p, q = edge[4:6], edge[6:8]
-    return minus(shape.after(edge), q) if is_end else minus(q, p), minus(p, q)
+def _find_cone(z: Vertex, edge: BoxedEdge, rings: Rings) -> _EdgeCone:
+    """Return the cone at the end of an edge, or at a point in its interior."""
+    _, _, _, _, p, q, ring, k = edge
+    if z != q:
+        return minus(q, p), minus(p, q)
+    points = rings[ring]
+    return minus(points[(k + 2) % len(points)], points[(k + 1) % len(points)]), minus(p, q)
 
 
 def _cones_meet(ours: Iterable[_EdgeCone], others: Iterable[_EdgeCone]) -> bool:

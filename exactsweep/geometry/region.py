@@ -14,7 +14,7 @@ from exactsweep.geometry.overlap import Relation, find_outside, relate
 from exactsweep.geometry.point_set import AffineMap, PointSet
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.geometry.reading import LATTICE_BITS, lcm_within, read_interface
-from exactsweep.geometry.vectors import touch
+from exactsweep.geometry.vectors import cross, minus, touch
 from exactsweep.numbers.addition import add_up
 from exactsweep.numbers.digits import abridge
 from exactsweep.numbers.error import prefix_errors
@@ -238,14 +238,14 @@ def _check(exterior: Polygon, holes: Sequence[Polygon]) -> None:
     touching: defaultdict[Vertex, set[int]] = defaultdict(set)
     edges = EdgeIndex(rings).edges
     for later, earlier in sorted((n, m) for m, n in find_near([edge[:4] for edge in edges])):
-        (ax, ay, bx, by, k, i), (px, py, qx, qy, j, h) = edges[later][4:], edges[earlier][4:]
+        (a, b, k, i), (p, q, j, h) = edges[later][4:], edges[earlier][4:]
         if k == j:
             continue
-        shared = touch((ax, ay), (bx, by), (px, py), (qx, qy))
+        shared = touch(a, b, p, q)
         if shared is None or len(set(shared)) > 1:
             first = f"{names[k]}, edge {polygons[k].edge_index(i)}"
             second = f"{names[j]}, edge {polygons[j].edge_index(h)}"
-            along = (bx - ax) * (qy - py) == (by - ay) * (qx - px)
+            along = cross(minus(b, a), minus(q, p)) == 0
             what = "overlap along a segment" if along else "cross"
             raise PolygonError(f"{first}, and {second} {what}")
         for point in shared:

@@ -94,5 +94,5 @@ def _is_deep(point: Vertex, solid: Solid) -> bool:
     slack = solid.slack * solid.scale
     x, y = point[0] - solid.x, point[1] - solid.y
     near = solid.form.near((x - slack, x + slack, y - slack, y + slack))
-    sides = (measure_to_edge((x, y), ((e[4], e[5]), (e[6], e[7]))) for e in near)
+    sides = (measure_to_edge((x, y), (e[4], e[5])) for e in near)
     return all(square > slack * slack * length for square, length in sides)

@@ -47,7 +47,7 @@ def find_gap(a: Solid, b: Solid, below: Fraction) -> SquaredDistance | None:
             up = low - f[3] if low > f[3] else f[2] - high if f[2] > high else 0
             if (across * across + up * up) * d >= n:
                 continue
-            one = (f[4], f[5]), (f[6], f[7])
+            one = f[4], f[5]
             if _is_far(one, other, n, d) or _is_far(other, one, n, d):
                 continue
             square, length = measure_ends(one, other)[:2] if touch(*one, *other) == [] else (0, 1)
@@ -70,7 +70,8 @@ def find_gap(a: Solid, b: Solid, below: Fraction) -> SquaredDistance | None:
 
 
 def _move(edge: BoxedEdge, x: int, y: int) -> Edge:
-    return (edge[4] + x, edge[5] + y), (edge[6] + x, edge[7] + y)
+    (ax, ay), (bx, by) = edge[4:6]
+    return (ax + x, ay + y), (bx + x, by + y)
 
 
 def _is_far(line: Edge, edge: Edge, n: Rational, d: Rational) -> bool:

@@ -72,9 +72,9 @@ def measure_keys(segments: Sequence[ContactSegment]) -> int:
         at_ends |= segment.low.denominator | segment.high.denominator
     # Denominators of crossings are at most 2 longest^2.
     bits = 2 * max(1 + 2 * longest.bit_length(), at_ends.bit_length())
-    unit = 1 << bits
     for segment in segments:
-        segment.keys = segment.low * unit // 1, segment.high * unit // 1
+        (n, d), (m, e) = segment.low.as_integer_ratio(), segment.high.as_integer_ratio()
+        segment.keys = (n << bits) // d, (m << bits) // e
     return bits
 
 

@@ -21,7 +21,7 @@ from exactsweep.geometry.vectors import minus
 from exactsweep.numbers.number import Vertex
 from exactsweep.procedures.segments import EdgeFeature
 
-_FEW = 20
+_FEW = 14
 """The number of facing edges up to which all are kept; pruning them takes longer than it saves."""
 
 _Vectors = tuple[int, int, int, int]

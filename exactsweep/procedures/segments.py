@@ -26,13 +26,13 @@ from collections import defaultdict
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, field
 from itertools import chain, groupby
-from math import lcm
+from math import gcd, lcm
 from operator import itemgetter
 
 from exactsweep.geometry.direction import reduce_direction
 from exactsweep.geometry.edges import Rings
 from exactsweep.numbers.number import Rational, Vertex
-from exactsweep.procedures.chain import Line
+from exactsweep.procedures.chain import Line, scale_to_ints
 
 Sides = tuple[bool, bool]
 """The sides of a line with overlap: its left, and its right."""
@@ -47,9 +47,9 @@ crossing on the other segment's side before it, and after it; the sides of the o
 Adjacent = tuple[int, int, int, int, int]
 """The vectors of the edges before and after an edge, times a unit, and the unit."""
 
-EdgeFeature = tuple[int, int, Rational, Rational, Rational, bool, Adjacent]
-"""An edge: the primitive direction of its line, and the offset; its least and its greatest
-parameter; whether it runs along the direction of the line; the adjacent edges."""
+EdgeFeature = tuple[int, int, tuple[int, int], Rational, Rational, bool, Adjacent]
+"""An edge: its line, dx y - dy x = n / d, as dx, dy and (n, d); its least and its greatest
+parameter; whether it runs along (dx, dy); the adjacent edges."""
 
 _Piece = tuple[Rational, Rational, bool]
 """A contact segment on its line: its ends, and whether it runs along the line."""
@@ -84,11 +84,13 @@ class ContactSegment:
     @property
     def box(self) -> tuple[int, int, int, int]:
         """The bounds of the segment, rounded outwards to ints: left, right, low, high."""
-        (dx, dy, c), low, high = self.line, self.low, self.high
+        (n, d), (m, e) = self.low.as_integer_ratio(), self.high.as_integer_ratio()
+        (dx, dy, c), left, right = self.line, n // d, -(-m // e)
         if dx == 0:
-            return -c // dy, -(c // dy), low // 1, -(-high // 1)
-        first, last = (low, high) if dy >= 0 else (high, low)
-        return low // 1, -(-high // 1), (first * dy + c) // dx, -((-last * dy - c) // dx)
+            return -c // dy, -(c // dy), left, right
+        if dy < 0:
+            n, d, m, e = m, e, n, d
+        return left, right, (n * dy + c * d) // (dx * d), -((-m * dy - c * e) // (dx * e))
 
 
 def find_contact_segments(
@@ -105,22 +107,22 @@ def find_contact_segments(
     )
     ranked = [[[(angle(edge), edge) for edge in ring] for ring in rings] for rings in shapes]
     pieces: defaultdict[Line, list[_Piece]] = defaultdict(list)
-    for edges_of, rings, vertices_of in (
-        (ranked[0], moving, ranked[1]),
-        (ranked[1], stationary, ranked[0]),
-    ):
-        order = sorted(chain.from_iterable(edges_of), key=itemgetter(0))
+    for (ours, others), rings in ((ranked, moving), (ranked[::-1], stationary)):
+        order = sorted(chain.from_iterable(ours), key=itemgetter(0))
         # Two turns, so that each range of directions is one slice.
         at = [a for a, _ in order] + [a + full_turn for a, _ in order]
         edges = [edge for _, edge in order] * 2
-        for ring, own in zip(rings, vertices_of, strict=True):
+        for ring, own in zip(rings, others, strict=True):
             for k, first, last in _find_convex_vertices([a for a, _ in own], full_turn):
                 facing = edges[bisect_left(at, first) : bisect_right(at, last)]
                 x, y = ring[k]
-                for dx, dy, offset, low, high, ahead, _ in leave_out(facing, ring, k):
-                    along = x if dx else y
-                    c, unit = (dx * y - dy * x + offset).as_integer_ratio()
-                    pieces[unit * dx, unit * dy, c].append((low + along, high + along, ahead))
+                u, v, w = scale_to_ints(x, y)
+                for dx, dy, (offset, unit), low, high, ahead, _ in leave_out(facing, ring, k):
+                    c = unit * (dx * v - dy * u) + w * offset
+                    common = gcd(unit * w, c)
+                    times, along = unit * w // common, x if dx else y
+                    line = times * dx, times * dy, c // common
+                    pieces[line].append((low + along, high + along, ahead))
     return [segment for line, ends in pieces.items() for segment in _join(line, ends)]
 
 
@@ -134,7 +136,8 @@ def _list_edges(ring: Sequence[Vertex]) -> list[EdgeFeature]:
         ahead = first < last
         low, high = (first, last) if ahead else (last, first)
         adjacent = _scale(px - ox, py - oy, rx - qx, ry - qy)
-        edges.append((dx, dy, dx * py - dy * px, low, high, ahead, adjacent))
+        offset = (dx * py - dy * px).as_integer_ratio()
+        edges.append((dx, dy, offset, low, high, ahead, adjacent))
         ox, oy, px, py = px, py, qx, qy
     return edges
 

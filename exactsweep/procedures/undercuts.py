@@ -40,11 +40,11 @@ def find_undercuts(loop: Sequence[Vertex], directrix: Sequence[Vertex]) -> list[
     along: set[tuple[Vertex, ...]] = set()
     for a, b in _list_edges(loop):
         (left, right), (low, high) = (sorted(pair) for pair in zip(a, b, strict=True))
-        for _, _, _, _, px, py, qx, qy, _, _ in index.near((left, right, low, high)):
+        for _, _, _, _, p, q, _, _ in index.near((left, right, low, high)):
             # An edge reversed relative to the other touches it without overlap.
-            points = touch(a, b, (qx, qy), (px, py)) or []
+            points = touch(a, b, q, p) or []
             shared[a, b].update(points)
-            shared[(px, py), (qx, qy)].update(points)
+            shared[p, q].update(points)
             along |= {tuple(points), tuple(points[::-1])}
 
     def cut(ring: Sequence[Vertex]) -> Iterator[Edge]:
