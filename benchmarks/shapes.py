@@ -16,7 +16,7 @@ from exactsweep.geometry.overlap import Relation, relate
 from exactsweep.paper.growth import MN, MN_LOG, Growth, Size
 from exactsweep.procedures.cover import leave_out_covered
 from exactsweep.procedures.crossings import cut
-from exactsweep.procedures.neighbours import leave_out_overlapped
+from exactsweep.procedures.neighbors import leave_out_overlapped
 from exactsweep.procedures.positions import reflect
 from exactsweep.procedures.segments import find_contact_segments
 from exactsweep.procedures.walk import find_free

@@ -23,7 +23,7 @@ class Conflict(NamedTuple):
 def find_conflict(ring: Sequence[Vertex]) -> Conflict | None:
     """Find two features of a ring that meet and should not; None if the ring is simple.
 
-    The ring has at least three integer points, not all collinear, no equal neighbours and no spike;
+    The ring has at least three integer points, not all collinear, no equal neighbors and no spike;
     collinear vertices are allowed. Edge i runs from vertex i to the next. Cost: O(n log n)
     comparisons, plus moves in the status list.
     """
@@ -38,7 +38,7 @@ def _sweep(ring: Sequence[Vertex], order: Sequence[int]) -> Conflict | None:
     """Sweep distinct vertices in lexicographic order, like a slightly tilted vertical line.
 
     The status lists the edges that cross the line, from bottom to top. Invariant: no two edges that
-    were ever neighbours in it meet. So a conflict at the next vertex is found there or earlier.
+    were ever neighbors in it meet. So a conflict at the next vertex is found there or earlier.
     """
     n = len(ring)
     edges = [(min(p, q), max(p, q)) for p, q in pairwise((*ring, ring[0]))]

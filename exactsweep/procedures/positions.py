@@ -1,7 +1,7 @@
 """No-fit polygons, inner fits, free positions and sums with paths, for any shapes.
 
 The paper does not treat this case (kind "SS"). All of these are the free positions of a part among
-obstacles. Contact segments (`segments`) are pruned (`neighbours`, `cover`), cut where they cross
+obstacles. Contact segments (`segments`) are pruned (`neighbors`, `cover`), cut where they cross
 (`crossings`), and joined to loops and exact fits (`walk`) by an exact overlap test
 (`geometry.overlap`).
 
@@ -31,7 +31,7 @@ from exactsweep.numbers.number import Fit, Point, Rational, Vertex
 from exactsweep.procedures.chain import inverse
 from exactsweep.procedures.cover import leave_out_covered
 from exactsweep.procedures.crossings import Pieces, cut
-from exactsweep.procedures.neighbours import leave_out_overlapped
+from exactsweep.procedures.neighbors import leave_out_overlapped
 from exactsweep.procedures.segments import ContactSegment, find_contact_segments
 from exactsweep.procedures.walk import FreeBoundary, OverlapTest, find_free
 

@@ -31,8 +31,9 @@ from operator import itemgetter
 
 from exactsweep.geometry.direction import reduce_direction
 from exactsweep.geometry.edges import Rings
+from exactsweep.geometry.frame import to_homogeneous
 from exactsweep.numbers.number import Rational, Vertex
-from exactsweep.procedures.chain import Line, scale_to_ints
+from exactsweep.procedures.chain import Line
 
 Sides = tuple[bool, bool]
 """The sides of a line with overlap: its left, and its right."""
@@ -51,7 +52,7 @@ EdgeFeature = tuple[int, int, tuple[int, int], Rational, Rational, bool, Adjacen
 """An edge: its line, dx y - dy x = n / d, as dx, dy and (n, d); its least and its greatest
 parameter; whether it runs along (dx, dy); the adjacent edges."""
 
-_Piece = tuple[Rational, Rational, bool]
+_Span = tuple[Rational, Rational, bool]
 """A contact segment on its line: its ends, and whether it runs along the line."""
 
 LeaveOut = Callable[[Sequence[EdgeFeature], Sequence[Vertex], int], Sequence[EdgeFeature]]
@@ -106,7 +107,7 @@ def find_contact_segments(
         [edge for rings in shapes for ring in rings for edge in ring]
     )
     ranked = [[[(angle(edge), edge) for edge in ring] for ring in rings] for rings in shapes]
-    pieces: defaultdict[Line, list[_Piece]] = defaultdict(list)
+    pieces: defaultdict[Line, list[_Span]] = defaultdict(list)
     for (ours, others), rings in ((ranked, moving), (ranked[::-1], stationary)):
         order = sorted(chain.from_iterable(ours), key=itemgetter(0))
         # Two turns, so that each range of directions is one slice.
@@ -116,7 +117,7 @@ def find_contact_segments(
             for k, first, last in _find_convex_vertices([a for a, _ in own], full_turn):
                 facing = edges[bisect_left(at, first) : bisect_right(at, last)]
                 x, y = ring[k]
-                u, v, w = scale_to_ints(x, y)
+                u, v, w = to_homogeneous(x, y)
                 for dx, dy, (offset, unit), low, high, ahead, _ in leave_out(facing, ring, k):
                     c = unit * (dx * v - dy * u) + w * offset
                     common = gcd(unit * w, c)
@@ -170,7 +171,7 @@ def _find_convex_vertices(angles: Sequence[int], full_turn: int) -> Iterator[tup
             yield k, first, last
 
 
-def _join(line: Line, pieces: list[_Piece]) -> Iterator[ContactSegment]:
+def _join(line: Line, pieces: list[_Span]) -> Iterator[ContactSegment]:
     """Join the contact segments of one line; yield maximal segments with constant sides."""
     if len(pieces) == 1:
         ((low, high, ahead),) = pieces

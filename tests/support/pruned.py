@@ -10,7 +10,7 @@ from polyominoes import Cells, region
 from exactsweep.geometry.edges import EdgeIndex, Rings
 from exactsweep.geometry.overlap import Relation, relate
 from exactsweep.numbers.number import Point, Vertex
-from exactsweep.procedures import cover, neighbours, positions
+from exactsweep.procedures import cover, neighbors, positions
 from exactsweep.procedures.positions import FreeRegions, find_inner_fit, find_no_fit
 from exactsweep.procedures.walk import FreeBoundary
 
@@ -26,7 +26,7 @@ def pruning(*, thin: bool, wide: bool) -> Iterator[None]:
     with (
         patch.object(cover, "_FEW", 1),
         patch.object(cover, "_CROSSINGS", 0),
-        patch.object(neighbours, "_FEW", 0),
+        patch.object(neighbors, "_FEW", 0),
     ):
         without_thin = patch.object(positions, "leave_out_overlapped", lambda edges, *_: edges)
         without_wide = patch.object(positions, "leave_out_covered", lambda segments, *_: segments)

@@ -8,7 +8,7 @@ from pruned import Overlaps
 from exactsweep.geometry.edges import Rings
 from exactsweep.numbers.number import Point, Vertex
 from exactsweep.procedures.crossings import find_point
-from exactsweep.procedures.neighbours import leave_out_overlapped
+from exactsweep.procedures.neighbors import leave_out_overlapped
 from exactsweep.procedures.positions import find_no_fit, reflect
 from exactsweep.procedures.segments import ContactSegment, find_contact_segments
 
