@@ -10,7 +10,7 @@ from exactsweep.numbers.digits import abridge, format_fraction, write_int
 from exactsweep.numbers.error import NumberError, quote
 from exactsweep.numbers.number import Point, to_fraction
 
-# For `read_decimal`; possessive, so that a long number and a letter fail in linear time.
+# The pattern of `read_decimal`; possessive, to reject long numbers in linear time.
 DECIMAL = r"[+-]?(?:[0-9]++\.?+[0-9]*+|\.[0-9]++)(?:[eE][+-]?[0-9]++)?+"
 _DECIMAL = re.compile(DECIMAL)
 _DECIMALS = re.compile(rf"(?:[\s,]*+{DECIMAL})*+[\s,]*+")

@@ -32,7 +32,7 @@ def read_text(path: str) -> str:
         raise FormatError(f"{quote(path)} is not a path")
     try:
         with _open(path) as file:
-            # One byte past the limit shows that the file is too large, even for an endless device.
+            # Read one byte past the limit, to detect larger files and endless devices.
             data = file.read(get_limits().max_bytes + 1)
     except OSError as error:
         raise FormatError(error.strerror or str(error)) from None

@@ -149,7 +149,7 @@ class Reading:
         return unit / self.found_unit
 
     def skip_hidden(self, reason: str) -> bool:
-        """Return whether to skip an element hidden for a reason ("" if visible); count it."""
+        """Return whether to skip an element for a reason ("" if it is visible), and count it."""
         if not reason or self.hidden:
             return False
         self.skipped[reason] += 1

@@ -275,7 +275,7 @@ def _closest(v: Point, e: Vertex, f: Vertex) -> list[Point]:
         (by[0] * by[0] + by[1] * by[1], Point(Fraction(x), Fraction(y)))
         for x in range(floor(v.x) - _REACH, ceil(v.x) + _REACH + 1)
         for y in range(floor(v.y) - _REACH, ceil(v.y) + _REACH + 1)
-        for by in [minus((x, y), v)]
+        for by in [(x - v.x, y - v.y)]
         if cross(e, by) <= 0 and cross(f, by) <= 0
     ]
     return [min(near)[1]] if near else []

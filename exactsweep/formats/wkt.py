@@ -30,7 +30,7 @@ _Enclosed = TypeVar("_Enclosed")
 
 
 def parse_wkt(text: str, notes: dict[str, None] | None = None) -> list[Candidate]:
-    """Read POLYGONs, MULTIPOLYGONs and GEOMETRYCOLLECTIONs; `notes` receives open rings."""
+    """Read POLYGONs, MULTIPOLYGONs and GEOMETRYCOLLECTIONs; open rings are added to `notes`."""
     reader = _Reader(text)
     found = [*limit_faults(reader.outlines())]
     if reader.opened and notes is not None:

@@ -38,8 +38,8 @@ def report(
     """Describe a sweep: class, direction, undercuts, exact fits, sizes, areas, loops.
 
     Areas are exact, with a decimal approximation if that differs. Long loops are truncated unless
-    `everything` is set. `terminal_width` is None for plain text; `files` are the files of the
-    polygons, by role, such as "moves" and "stays".
+    `everything` is set. `terminal_width` is None for plain text; `files` maps roles of polygons,
+    such as "moves" and "stays", to file names.
 
     >>> from exactsweep import sweep
     >>> square = [(0, 0), (1, 0), (1, 1), (0, 1)]

@@ -146,7 +146,7 @@ def test_invalid_batches_are_rejected(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize("most", [9, 2**20])
-def test_chunks_hold_all_pairs_after_the_first_ones(
+def test_chunks_contain_all_remaining_pairs(
     most: int, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """No chunk exceeds the limits of pairs and, except for its last line, of bytes."""

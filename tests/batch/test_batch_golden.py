@@ -36,5 +36,5 @@ def find_record(case: dict[str, Any]) -> str:
 
 
 @pytest.mark.parametrize("case", CASES, ids=range(len(CASES)))
-def test_records_are_those_recorded(case: dict[str, Any]) -> None:
+def test_records_match_the_golden_file(case: dict[str, Any]) -> None:
     assert find_record(case) == case["record"]

@@ -1,4 +1,4 @@
-"""Spellings of other programs, and limits of readers."""
+"""Variants written by other programs, and limits of readers."""
 
 import csv
 from fractions import Fraction
@@ -39,7 +39,7 @@ def test_entities_beyond_the_limit_are_rejected() -> None:
         parse_polygons(text)
 
 
-def test_geometries_of_shapely_are_parts() -> None:
+def test_shapely_geometries_are_parts() -> None:
     plate = shapely.box(0, 0, 4, 4) - shapely.box(1, 1, 2, 2)
     several = shapely.MultiPolygon([plate, shapely.box(5, 0, 6, 1)])
     assert [part.region.area for part in parts_from_shapely(several)] == [15, 1]
@@ -49,7 +49,7 @@ def test_geometries_of_shapely_are_parts() -> None:
     assert found.left_out == ["Point is not a shapely polygon"]
 
     class GeoSeries(dict[int, object]):
-        """A series of geopandas has a type, too."""
+        """Like a series of geopandas, with a `geom_type`."""
 
         geom_type = ("MultiPolygon",)
 
@@ -79,7 +79,7 @@ def test_interpolating_splines_agree_with_ezdxf(points: list[tuple[float, float]
 
 
 def test_interpolating_splines_need_linear_memory() -> None:
-    """A matrix of all points took 6 GB."""
+    """A full matrix took 6 GB."""
     points = [Point(Fraction(k), Fraction(k * k % 17)) for k in range(16_000)]
     assert len(Spline.through(points).points) == 3 * 16_000 - 2
 
@@ -133,7 +133,7 @@ def test_csv_readers_in_other_threads_keep_their_limit() -> None:
 
 
 @pytest.mark.parametrize("corners", ["0,0 {},0 0,1", "-1,0 {},0 0,1", "1,0 -{},0 0,1"])
-def test_too_long_coordinates_are_rejected(corners: str) -> None:
+def test_coordinates_that_are_too_long_are_rejected(corners: str) -> None:
     """The limit is 32 times that of a number, and 7 digits more."""
     shape = f'<polygon points="{corners.format("9" * 19)}"/>'
     group = "<g transform='scale(1e19)'>"

@@ -1,7 +1,7 @@
 """Flattened curves: the flattening error is checked in rational arithmetic.
 
-For a circle that is decided from its equation; for other curves by points of them, and by the
-corners of the lines.
+The error is computed from the equation for circles, and at points of the curve and at the vertices
+of the chords for other curves.
 """
 
 import re
@@ -361,7 +361,7 @@ def test_errors_beyond_a_sixteenth_of_the_tolerance_are_rejected() -> None:
 
 @pytest.mark.parametrize("place", range(4))
 @pytest.mark.parametrize("sign", [1, -1])
-def test_scaled_elliptic_arcs_have_their_width(place: int, sign: int) -> None:
+def test_scaled_elliptic_arcs_keep_their_width(place: int, sign: int) -> None:
     """The center is irrational. Each entry of the image alone decides the scale."""
     entries = [0, 0, 0, 0]
     entries[place] = sign * 10**4

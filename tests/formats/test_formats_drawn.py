@@ -1,4 +1,4 @@
-"""Flattened curves against a certified interval evaluation of the true curves.
+"""Flattened curves, compared with a certified interval evaluation of the true curves.
 
 In every direction, at every scale and tolerance, the lines of a simple outline are simple and
 within the tolerance of the curve, and the curve is within the tolerance of the lines.
@@ -153,7 +153,7 @@ def test_a_cubic_over_its_chord_is_near_in_both_directions(
 def test_tangent_arcs_are_simple_at_all_tolerances_and_directions(
     ratio: Fraction, sweep: int, backward: bool, degrees: int, tolerance: str
 ) -> None:
-    """Two circles that touch from inside in one point, joined there: a cusp of angle 0."""
+    """Two internally tangent circles, joined at the tangent point: a cusp of angle 0."""
     large, small = Fraction(50), 50 * ratio
     if backward:
         data = f"M0 0 A{to_text(small)} {to_text(small)} 0 0 {sweep} 0 {to_text(2 * small)}"

@@ -119,7 +119,7 @@ def as_lines(space: Modelspace) -> None:
     ],
     ids=range(7),
 )  # fmt: skip
-def test_drawings_of_ezdxf_are_read(draw: object) -> None:
+def test_ezdxf_drawings_are_read(draw: object) -> None:
     assert parse_polygon(written(draw)) == SQUARE
     assert parse_polygon(written(draw).replace("\n", "\r\n")) == SQUARE
 

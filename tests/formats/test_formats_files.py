@@ -232,7 +232,7 @@ def test_a_file_of_records_has_the_size_of_its_text(line: str, tmp_path: Path) -
     assert measure_file(str(path)) == measure_written(text)
 
 
-def test_declared_encodings_of_xml_are_read(tmp_path: Path) -> None:
+def test_declared_xml_encodings_are_read(tmp_path: Path) -> None:
     file = tmp_path / "part.svg"
     text = (
         '<?xml version="1.0" encoding="ISO-8859-1"?><svg><rect id="é" width="2" height="1"/></svg>'

@@ -1,4 +1,4 @@
-"""The regions that rings fill, compared with winding numbers by the definition."""
+"""Filled regions, compared with winding numbers computed from the definition."""
 
 from collections.abc import Callable, Sequence
 from fractions import Fraction

@@ -1,6 +1,6 @@
 """Texts of all formats with their results, in `golden.json`.
 
-A rejected text has its message; any other has its polygons, omissions and notes.
+The result is the error message, or the polygons, omissions and notes.
 """
 
 import json
@@ -89,7 +89,7 @@ def write(text: str, form: str, options: dict[str, Any]) -> str:
 
 
 @pytest.mark.parametrize("case", CASES, ids=lambda case: case["name"])
-def test_texts_are_read_as_recorded(case: dict[str, Any]) -> None:
+def test_results_match_the_golden_file(case: dict[str, Any]) -> None:
     assert find_outcome(case) == case["outcome"]
 
 

@@ -48,7 +48,7 @@ def hidden(d: Document) -> None:
         space.add_blockref("PART", (0, 0), dxfattribs={"layer": name})
 
 
-def test_hidden_entities_of_dxf_are_counted() -> None:
+def test_hidden_dxf_entities_are_counted() -> None:
     parts = parse_polygons(dxf(hidden))
     # A block on a layer that is off still draws on other layers; on a frozen one, it draws nothing.
     assert [part.layer for part in parts] == ["cut", "guide", "cut"]
@@ -113,7 +113,7 @@ def test_an_unpainted_shape_is_read_with_a_note(shapes: str, noted: str) -> None
 
 
 @pytest.mark.parametrize("element", ["title", "desc", "text", "rect"])
-def test_only_style_sheets_are_read_as_such(element: str) -> None:
+def test_only_style_elements_are_style_sheets(element: str) -> None:
     text = f"<svg><{element}>path{{display:none}}</{element}><path d='M0 0h2v2z'/></svg>"
     assert [part.polygon.area for part in parse_polygons(text)] == [2]
 

@@ -124,7 +124,7 @@ def test_fill_rules_agree_with_counting(found: list[Box], even_odd: bool) -> Non
         assert {part.region for part in drawn} == {Region(*shape_of(part)) for part in parts}
 
 
-def test_interiors_of_shapely_are_holes() -> None:
+def test_shapely_interiors_are_holes() -> None:
     found = from_shapely(shapely.box(0, 0, 4, 4) - shapely.box(1, 1, 2, 2))
     assert found == PLATE
     assert isinstance(from_shapely(shapely.box(0, 0, 4, 4)), Polygon)

@@ -119,7 +119,7 @@ def test_repeated_elements_are_charged_again(form: str) -> None:
 
 
 def test_reading_stops_at_the_limit_of_vertices() -> None:
-    """In one path or in several; a path that reaches the limit with its last command is read."""
+    """The limit applies to one path or several; a path may reach it with its last command."""
     most = 1000 * VERTEX / 2**20
     with limits(max_mib=most):
         assert len(parse_polygon(f'<svg><path d="M0 0{"h1" * 997}V9z"/></svg>').vertices) == 3
@@ -155,7 +155,7 @@ def test_collections_are_read_to_a_depth_of_100() -> None:
 
 
 @pytest.mark.parametrize("depth", [100, 101])
-def test_elements_of_svg_are_read_to_a_depth_of_100(depth: int) -> None:
+def test_svg_elements_are_read_to_a_depth_of_100(depth: int) -> None:
     groups = depth - 2
     text = f'<svg>{"<g>" * groups}<polygon points="0,0 1,0 0,1"/>{"</g>" * groups}</svg>'
     if depth == 100:

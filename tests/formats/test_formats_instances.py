@@ -169,6 +169,6 @@ def test_layout_json_has_its_own_rules() -> None:
         read(EMPTY, {"items": []})
 
 
-def test_a_unit_is_that_of_a_file() -> None:
+def test_a_unit_requires_a_file_with_units() -> None:
     with pytest.raises(FormatError, match="has no unit"):
         parse_layouts(json.dumps(EMPTY), unit="mm")

@@ -87,7 +87,7 @@ HOSTILE: list[Any] = [None, True, "x", "", -1, 1.5, [], {}, [[]], [None], "1e999
 
 
 def spoilt(value: Any) -> Iterator[Any]:
-    """Yield the document with each part replaced by each hostile value, or omitted."""
+    """Yield copies of a document with each value replaced by a hostile one, or omitted."""
     yield from HOSTILE
     if isinstance(value, dict):
         for name, part in value.items():
@@ -126,7 +126,7 @@ def test_options_of_other_types_are_named(name: str) -> None:
         parse_layouts("<svg/>", **wrong)
 
 
-def test_outlines_that_become_holes_are_noted() -> None:
+def test_outlines_read_as_holes_are_noted() -> None:
     """A part on another one is drawn like a hole."""
     sides = (9, 0), (4, 1), (1, 2)
     boxes = "".join(f'<rect width="{w}" height="{w}" x="{x}" y="{x}"/>' for w, x in sides)

@@ -80,7 +80,7 @@ def test_other_tables_of_placements_name_the_command(table: str) -> None:
         parse_polygons(table)
 
 
-def test_open_rings_of_wkt_are_closed_with_a_note() -> None:
+def test_open_wkt_rings_are_closed_with_a_note() -> None:
     found = parse_polygons("POLYGON ((0 0, 4 0, 4 4, 0 4))")
     assert found[0].polygon.area == 16
     assert found.notes == ["1 open ring closed, the first at line 1, column 10"]
@@ -98,7 +98,7 @@ def test_parts_of_instances_are_read() -> None:
     assert 3.13 < disc.region.area < 3.15
 
 
-def test_pieces_of_esicup_are_read() -> None:
+def test_esicup_pieces_are_read() -> None:
     corners = [(0, 0), (0, 4), (3, 0)]
     segments = "".join(f'<segment x0="{x}" y0="{y}"/>' for x, y in corners)
     component = '<component idPolygon="p" xOffset="1" yOffset="0"/>'

@@ -105,7 +105,7 @@ def drawing(*entities: str) -> str:
     return "0\nSECTION\n2\nENTITIES\n" + "".join(entities) + "0\nENDSEC\n0\nEOF\n"
 
 
-def test_circles_and_slots_of_dxf_are_rounded_pieces() -> None:
+def test_dxf_circles_and_slots_are_rounded_pieces() -> None:
     text = drawing(
         entity("CIRCLE", _10=50, _20=1, _40="0.25"),
         entity("LINE", _10=0, _20=0, _11=8, _21=0),

@@ -76,12 +76,12 @@ def test_reflected_items_are_mirrored_in_the_x_axis() -> None:
     ("x", "gap", "faults"),
     [(6.25, 0.25, []), (6.25, 0.5, ["too close"]), (6.25, "1/4", [])],
 )
-def test_a_separation_holds_between_items(x: float, gap: Any, faults: list[str]) -> None:
+def test_separation_applies_between_items(x: float, gap: Any, faults: list[str]) -> None:
     text = solve(FIXED, at(2, 2), at(x, 2), min_item_separation=gap)
     assert judge(text) == faults
 
 
-def test_a_separation_holds_from_the_container() -> None:
+def test_separation_also_applies_to_the_container() -> None:
     assert judge(solve(FIXED, at(1, 2), min_item_separation=1)) == []
     assert judge(solve(FIXED, at(0.5, 2), min_item_separation=1)) == ["too close"]
 

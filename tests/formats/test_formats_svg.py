@@ -96,7 +96,7 @@ def test_transform_origins_are_rejected(style: str, start: str) -> None:
         parse_polygon(svg(f"{shape} transform='rotate(90)'/>"))
 
 
-def test_other_styles_leave_shapes_where_they_are() -> None:
+def test_other_styles_do_not_move_shapes() -> None:
     style = "text-transform: none; transform-origin: 0px 0px; transform-box: view-box"
     turned = parse_polygon(svg(f"<path d='M0 0H1V1z' style='{style}' transform='rotate(90)'/>"))
     assert turned == Polygon([(0, 0), (0, 1), (-1, 1)])

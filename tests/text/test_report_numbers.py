@@ -54,7 +54,7 @@ def test_roots_of_any_size_have_60_bits(value: Fraction, power: int, sense: int)
 
 
 @pytest.mark.parametrize("width", [None, 80])
-def test_names_in_brackets_are_shown_as_they_are(width: int | None) -> None:
+def test_names_in_brackets_are_shown_verbatim(width: int | None) -> None:
     table = make_table(["part"])
     table.add_row("[bold]left[/bold]")
     assert "[bold]left[/bold]" in lay_out([table], width)

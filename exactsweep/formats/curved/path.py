@@ -270,7 +270,10 @@ def flatten_together(
     use: Callable[[list[list[Point]]], _Found],
     *first: list[Point],
 ) -> tuple[list[list[Point]], _Found | None]:
-    """Flatten paths, more finely while `use` raises PolygonError; on failure, coarsely and None."""
+    """Flatten paths, more finely while `use` raises PolygonError.
+
+    Return the rings and the result of `use`; if it always fails, the coarsest rings and None.
+    """
     last = ""
     found = rings = [*first] or [path.flatten(reading) for path in paths]
     for finer in range(1, _LEVELS + 2):

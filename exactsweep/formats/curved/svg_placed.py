@@ -141,7 +141,7 @@ class PlacedElement:
 
     @property
     def transform(self) -> str:
-        """The attribute; raises FormatError if a style also moves the element."""
+        """The transform attribute; raises FormatError if a style also moves the element."""
         found: str = self.element.get("transform", "")
         if any(map(self.styled.get, _STYLED)):
             raise FormatError("transformations in a style are not supported")
@@ -292,5 +292,5 @@ class PlacedElement:
         return used.size(name, "100%")
 
 
-# Alignment as the share of the remaining space before a view.
+# Alignment as the share of the spare space before a view.
 _SHARES = {"Min": Fraction(0), "Mid": Fraction(1, 2), "Max": Fraction(1)}

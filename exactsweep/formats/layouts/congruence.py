@@ -24,7 +24,7 @@ class Congruence(NamedTuple):
 
 
 def find_congruence(part: Region, drawn: Region) -> Congruence | None:
-    """Find a map from a part to a region, preferably an exact one, in O(n^2) time, mostly O(n)."""
+    """Find a map from a part to a region, preferably exact. Cost: O(n^2), usually O(n)."""
     if len(part.exterior) != len(drawn.exterior) or len(part.holes) != len(drawn.holes):
         return None
     nearly = None

@@ -30,7 +30,10 @@ _LINE = re.compile(r"line \d+")
 def draw_layouts(
     text: str, container: str | Literal[False] | None, reading: Reading
 ) -> list[FoundLayout]:
-    """Make a layout for each container; reject unreadable outlines, which could be invalid."""
+    """Make a layout for each container.
+
+    Unreadable outlines are rejected, since skipping one could falsify the verdict.
+    """
     flat = reading.without_nesting()
     flat.separate = reading.nested is not False
     drawn = parse_with(text, flat)

@@ -2,8 +2,8 @@
 
 sparrow and jagua-rs draw the container as a group `container_N`, formerly `bin_N`, and place
 definitions `item_K` by `use`. SVGnest and Deepnest write a group for each part, next to a sheet of
-class `bin` or with a stroke of #00ff00. All write `translate(x y) rotate(degrees)`; the rotation
-applies first.
+class `bin` or with a stroke of #00ff00. All programs write `translate(x y) rotate(degrees)`; the
+rotation applies first.
 
 Source: `io/svg/layout_to_svg.rs` of jagua-rs, `svgnest.js` of SVGnest, `export.service.ts` of
 Deepnest.
