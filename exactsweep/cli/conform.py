@@ -176,7 +176,7 @@ def conform_command(
             judges,
             selection.require_distinct(chosen),
             journal=kept or None,
-            tell=lambda: show(run.summary.total(), write_counts(run.summary)),
+            report=lambda: show(run.summary.total(), write_counts(run.summary)),
             made_smaller=smaller,
         )
     if not run.summary.total() and not run.interrupted:

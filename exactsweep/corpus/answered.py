@@ -16,6 +16,15 @@ from exactsweep.sweep import Sweep, sweep
 
 INTEGER_BITS = {"int32": 32, "int64": 64}
 NUMBER_TYPES = (*INTEGER_BITS, "binary64")
+Shapes = Literal["convex", "monotone", "simple", "any"]
+# Each kind of pairs includes those before it; "simple" means without holes.
+SHAPES: tuple[Shapes, ...] = get_args(Shapes)
+_SHAPES_OF: dict[Kind, Shapes] = {
+    "CC": "convex",
+    "CM": "monotone",
+    "MM": "monotone",
+    "SS": "simple",
+}
 
 
 def find_types(values: Collection[Fraction], scale: int) -> frozenset[str]:
@@ -59,21 +68,8 @@ def _is_binary64(value: Fraction) -> bool:
         return False
 
 
-Shapes = Literal["convex", "monotone", "simple", "any"]
-# Each kind of pairs includes those before it; "simple" means without holes.
-SHAPES: tuple[Shapes, ...] = get_args(Shapes)
-_SHAPES_OF: dict[Kind, Shapes] = {
-    "CC": "convex",
-    "CM": "monotone",
-    "MM": "monotone",
-    "SS": "simple",
-}
-
-
 @dataclass(frozen=True, kw_only=True)
 class AnsweredPair:
-    """A pair of polygons with the exact answers."""
-
     directrix_ring: Loop  # the exterior of D in its input form
     generatrix_ring: Loop  # the exterior of G in its input form
     reference: Point  # the point of G whose path is the trajectory

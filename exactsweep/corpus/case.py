@@ -24,21 +24,13 @@ class CaseError(ExactSweepError):
 
 @dataclass(frozen=True, kw_only=True)
 class Case(AnsweredPair):
-    """A named pair of polygons with the exact answers; HOW-TO-READ.md describes all fields.
+    """A named pair of polygons with the exact answers; HOW-TO-READ.md describes all fields."""
 
-    Attributes:
-        id: the name of the case, whose meaning never changes.
-        title: a description in one line.
-        flags: the special properties of the case, sorted; `exactsweep.corpus.notes` explains them.
-        note: the origin of the case.
-        version: the first version of the corpus with the case.
-    """
-
-    id: str
+    id: str  # its meaning never changes
     title: str
-    flags: tuple[str, ...] = ()
-    note: str = ""
-    version: int = 1
+    flags: tuple[str, ...] = ()  # its special properties, sorted; `notes` explains them
+    note: str = ""  # its origin
+    version: int = 1  # the first version of the corpus with the case
 
     @classmethod
     @explain_type_errors
@@ -121,11 +113,7 @@ def read_given_rings(shape: Given, holes: Iterable[Given] = ()) -> tuple[Loop, .
 
 
 def read_given_ring(vertices: Given) -> Loop:
-    """Read vertices as given, but drop a last one that repeats the first.
-
-    >>> len(read_given_ring([(0, 0), (1, 0), (1, 0), (0, 1), (0, 0)]))
-    4
-    """
+    """Read vertices as given, but drop a last one that repeats the first."""
     if isinstance(vertices, (Polygon, Region)):
         return vertices.vertices
     ring = tuple(read_point(pair, f"vertex {i}") for i, pair in enumerate(vertices))

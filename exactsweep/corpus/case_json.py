@@ -17,6 +17,14 @@ from exactsweep.numbers.error import explain_type_errors, prefix_errors, quote
 from exactsweep.numbers.number import Fit, Loop
 from exactsweep.words import suggest
 
+# Permitted members that `case_to_json` omits.
+_DEFAULTS: dict[str, object] = {
+    "version": 1,
+    "note": "",
+    "directrix_holes": [],
+    "generatrix_holes": [],
+}
+
 
 @explain_type_errors
 def case_to_json(case: Case) -> dict[str, Any]:
@@ -176,15 +184,6 @@ def _require_same(right: Any, found: JsonNode) -> None:
             _require_same(part, other)
     elif value != right:
         raise CaseError(f"{found.path} is not {quote(right)}")
-
-
-# Permitted members that `case_to_json` omits.
-_DEFAULTS: dict[str, object] = {
-    "version": 1,
-    "note": "",
-    "directrix_holes": [],
-    "generatrix_holes": [],
-}
 
 
 def _types(held: Iterable[str]) -> list[str]:

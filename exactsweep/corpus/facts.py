@@ -131,8 +131,11 @@ def _slopes(case: AnsweredPair) -> Iterator[str]:
     if d & g:
         yield "parallel-edges"
     ordered = sorted(d | g, key=angle_key)
-    if any(_near(u, v) for u, v in pairwise((*ordered, ordered[0]))):
-        yield "near-parallel"
+    for u, v in pairwise((*ordered, ordered[0])):
+        squares = (u[0] ** 2 + u[1] ** 2) * (v[0] ** 2 + v[1] ** 2)
+        if 0 < cross(u, v) ** 2 < NEAR**2 * squares:
+            yield "near-parallel"
+            break
 
 
 def _directions(rings: PointRings) -> set[Vector]:
@@ -142,10 +145,6 @@ def _directions(rings: PointRings) -> set[Vector]:
         dx, dy = q.x - p.x, q.y - p.y
         found.add((0, 1) if dx == 0 else Fraction(dy, dx).as_integer_ratio()[::-1])
     return found
-
-
-def _near(u: Vector, v: Vector) -> bool:
-    return 0 < cross(u, v) ** 2 < NEAR**2 * (u[0] ** 2 + u[1] ** 2) * (v[0] ** 2 + v[1] ** 2)
 
 
 def _edges(ring: Sequence[Point]) -> Iterator[tuple[Point, Point]]:

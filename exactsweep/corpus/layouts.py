@@ -65,12 +65,8 @@ def find_layout_case(id: str) -> LayoutCase:
 class PathCase(NamedTuple):
     """A shape, a path, and their exact Minkowski sum.
 
-    Attributes:
-        id, title: its name, whose meaning never changes, and a description in one line.
-        shape, path, sum: a Region, a Polyline, and a Region.
-        data: the case as JSON data: "shape" and "expected" have "exterior" and "holes", and "path"
-            has "points" and "closed"; numbers are strings.
-        note: the purpose of the case.
+    In the JSON `data`, "shape" and "expected" have "exterior" and "holes", and "path" has "points"
+    and "closed"; numbers are strings.
     """
 
     id: str
@@ -79,7 +75,7 @@ class PathCase(NamedTuple):
     path: Polyline
     sum: Region
     data: dict[str, Any]
-    note: str = ""
+    note: str = ""  # the purpose of the case
 
 
 @explain_type_errors

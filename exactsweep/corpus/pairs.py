@@ -25,8 +25,6 @@ from exactsweep.words import suggest
 
 
 class _PairForm(NamedTuple):
-    """Names of the members of a JSON document with a pair."""
-
     directrix_key: str
     generatrix_key: str
     others: tuple[str, ...]

@@ -55,11 +55,9 @@ def cases(
 
 
 class Summary(NamedTuple):
-    """A case without its polygons; `size` counts the vertices of D and G."""
-
     id: str
     kind: str
-    size: int
+    size: int  # the number of vertices of D and G
     title: str
 
 
@@ -90,11 +88,6 @@ def _match(
 
 
 def to_names(given: str | Iterable[str]) -> tuple[str, ...]:
-    """Convert a name or several names to a tuple.
-
-    >>> to_names("CC"), to_names(["CC", "CM"])
-    (('CC',), ('CC', 'CM'))
-    """
     names = (given,) if isinstance(given, str) else tuple(given)
     if not all(isinstance(name, str) for name in names):
         raise TypeError

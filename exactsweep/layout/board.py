@@ -53,7 +53,7 @@ class Board:
 
     def is_rounded(self, placements: Sequence[int]) -> bool:
         """Return whether a placement is rounded or, for a single one, any obstacle."""
-        solids = [*map(self.solid, placements), *(self.around if len(placements) < 2 else ())]
+        solids = [*map(self.solid, placements), *(self.obstacles if len(placements) < 2 else ())]
         return is_rounded(*solids)
 
     def _turn(self, k: int, bits: int) -> tuple[int, MatrixRows]:
@@ -140,7 +140,7 @@ class Board:
         return min(xs) - room, min(ys) - room, max(xs) + room, max(ys) + room
 
     @cached_property
-    def around(self) -> list[Solid]:
+    def obstacles(self) -> list[Solid]:
         """The outside of the container, if there is one, its holes, then the defects."""
         layout = self.layout
         holes = (self._fix(*make_form(Region(hole)), layout.error) for hole in self.holes)
@@ -148,7 +148,7 @@ class Board:
         return [*self._find_outside(), *holes, *defects]
 
     def required(self, wall: int) -> Fraction:
-        """Return the required distance between parts and an obstacle in `around`."""
+        """Return the required distance between parts and an obstacle in `obstacles`."""
         number = wall - self.first_defect - len(self.holes)
         own = self.layout.defects[number].spacing if number >= 0 else None
         return self.layout.margin if own is None else own
@@ -251,7 +251,7 @@ class Board:
 
     def find_defects(self, reach: Fraction) -> dict[int, list[int]]:
         placed, unit, first = self.placed, self.unit, self.first_defect
-        solids = *map(self.solid, placed), *self.around[first:]
+        solids = *map(self.solid, placed), *self.obstacles[first:]
         boxes = [_enlarge(solid, unit) for solid in solids]
         found: dict[int, list[int]] = {k: [] for k in placed}
         for k, j in find_near(boxes, ceil(reach * unit)):
@@ -260,7 +260,7 @@ class Board:
         return {k: sorted(walls) for k, walls in found.items()}
 
     def list_obstacles(self) -> Iterator[tuple[int, list[int]]]:
-        """Yield each placement with the obstacles in `around` that may be too close."""
+        """Yield each placement with the obstacles in `obstacles` that may be too close."""
         outside = range(self.first_defect)
         for k, defects in self.find_defects(self.greatest_margin).items():
             yield k, defects if self.is_clear(k) else [*outside, *defects]

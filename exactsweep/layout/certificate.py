@@ -108,7 +108,7 @@ def _separate_obstacles(board: Board, bits: int) -> Iterator[list[Any] | None]:
     for k, defects in board.find_defects(board.greatest_margin).items():
         outside = () if board.is_open else (0,)
         for wall in (*outside, *defects):
-            a, b = share_scale(board.around[wall], board.solid(k, bits))
+            a, b = share_scale(board.obstacles[wall], board.solid(k, bits))
             distance = (board.required(wall) + a.slack + b.slack) * a.scale
             name, first = names[wall]
             for i, h, found in _separate_pieces(a, b, distance):
@@ -117,10 +117,10 @@ def _separate_obstacles(board: Board, bits: int) -> Iterator[list[Any] | None]:
 
 def _name_obstacles(board: Board) -> list[tuple[int, int]]:
     number = _count_outside(board)
-    counts = (len(wall.form.pieces) for wall in board.around[: number - 1])
+    counts = (len(wall.form.pieces) for wall in board.obstacles[: number - 1])
     # The outside of the container, including its holes, is -1; defect k is -2 - k.
     outside = [(-1, first) for first in accumulate(counts, initial=0)]
-    return outside + [(-2 - k, 0) for k in range(len(board.around) - number)]
+    return outside + [(-2 - k, 0) for k in range(len(board.obstacles) - number)]
 
 
 def _count_outside(board: Board) -> int:
@@ -205,7 +205,7 @@ def _find_point(board: Board, fault: Fault, bits: int) -> Point | None:
 
 def _list_outside(board: Board) -> list[_PieceRings]:
     number = _count_outside(board)
-    pieces = [_list_pieces(wall.form, wall.scale) for wall in board.around]
+    pieces = [_list_pieces(wall.form, wall.scale) for wall in board.obstacles]
     outside = [piece for wall in pieces[:number] for piece in wall or ()]
     return [outside or None, *pieces[number:]]
 

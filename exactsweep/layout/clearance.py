@@ -133,7 +133,7 @@ def find_rounded_witness(a: Solid, b: Solid) -> Point | None:
         if one.is_below(-slack):
             point = (_find_outside if isinstance(b.form, OutsideForm) else _find_inside)(a, b, one)
             if point is not None:
-                return a.leave(*point)
+                return a.to_point(*point)
     return None
 
 
@@ -252,7 +252,7 @@ def measure_gap(a: Solid, b: Solid, found: Clearance) -> SquaredDistance:
     else:
         own = b.rounded[j][1]
         far = Point(q[0] - x * own / unit, q[1] - y * own / unit)
-    return SquaredDistance(length * length, (a.leave(*near), a.leave(*far)))
+    return SquaredDistance(length * length, (a.to_point(*near), a.to_point(*far)))
 
 
 def relate(a: Solid, b: Solid) -> Relation:

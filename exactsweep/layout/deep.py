@@ -39,7 +39,7 @@ def find_deep_point(a: Solid, b: Solid) -> Point | None:
         point: Vertex = (_halve(left, right), y)
         for k in range(_MAX_MOVES + 1):
             if _is_deep(point, a) and _is_deep(point, b):
-                return a.leave(*point)
+                return a.to_point(*point)
             # The middle of a chord may be near its own line: center it across.
             axis = 1 - k % 2
             middle = _halve(*_find_chord(boundary, point, axis))

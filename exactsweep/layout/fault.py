@@ -43,7 +43,7 @@ class Fault:
         bound: a bound on the errors that irrational rotations and flattened curves cause in both
             solids. The fault is proved for the true rotations and curves; `move` may be off by it.
         error: the part of the bound due to flattened curves.
-        wall: the obstacle of a fault with one placement, an index in `Board.around`.
+        wall: the obstacle of a fault with one placement, an index in `Board.obstacles`.
     """
 
     kind: FaultKind
@@ -81,7 +81,7 @@ class Fault:
         first = board.solid(self.placements[0], bits)
         if len(self.placements) > 1:
             return share_scale(first, board.solid(self.placements[1], bits))
-        return share_scale(first, board.around[self.wall])
+        return share_scale(first, board.obstacles[self.wall])
 
     @cached_property
     def move(self) -> Point | None:

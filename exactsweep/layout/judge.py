@@ -57,7 +57,7 @@ class Judgement:
         """Return plain JSON data that proves the verdict; see `check/CERTIFICATES.md`.
 
         Raises:
-            LayoutError: no fault has a proof; see `write_certificate`, also for the cost.
+            LayoutError: no fault has a proof; see `write_certificate`.
         """
         return write_certificate(self._board, self.faults)
 
@@ -179,7 +179,7 @@ def _judge_container(board: Board) -> Iterator[Fault]:
     for k, walls in board.list_obstacles():
         worst: list[tuple[Fraction, Fault]] = []
         for wall in walls:
-            fixed = board.around[wall]
+            fixed = board.obstacles[wall]
             required = board.required(wall)
             found = judge_pair(lambda bits: (solid(k, bits), fixed), TURN_BITS, required)  # noqa: B023
             faults = _name_faults(board, (k,), found, "outside", wall)

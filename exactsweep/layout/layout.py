@@ -27,6 +27,8 @@ from exactsweep.numbers.digits import to_plain
 from exactsweep.numbers.error import quote
 from exactsweep.numbers.number import Loop, Point
 
+_ShapeRings = tuple[Loop, tuple[Loop, ...]]
+
 
 @dataclass(frozen=True)
 class Placement:
@@ -314,9 +316,6 @@ def _read_container(
             for k, hole in enumerate(holes)
         )
         return alone, error, tuple(defects)
-
-
-_ShapeRings = tuple[Loop, tuple[Loop, ...]]
 
 
 def _read_shape(

@@ -65,7 +65,7 @@ def find_gap(a: Solid, b: Solid, below: Fraction) -> SquaredDistance | None:
         p = q = Point(*map(Fraction, (touch(*one, *other) or [one[0]])[0]))
     return SquaredDistance(
         Fraction(n, d * scale * scale) if type(n) is int else Fraction(n) / d / scale**2,
-        (a.leave(p[0] + a.x, p[1] + a.y), a.leave(q[0] + a.x, q[1] + a.y)),
+        (a.to_point(p[0] + a.x, p[1] + a.y), a.to_point(q[0] + a.x, q[1] + a.y)),
     )
 
 

@@ -52,7 +52,7 @@ def find_repair(board: Board, placements: Sequence[int], bits: int) -> Point | N
         slack = solid.slack + board.solid(placements[0], bits).slack
     else:
         required = board.greatest_margin
-        slack = solid.slack + max((wall.slack for wall in board.around), default=Fraction(0))
+        slack = solid.slack + max((wall.slack for wall in board.obstacles), default=Fraction(0))
     room = required + slack
     is_rounded_pair = board.is_rounded(placements)
     is_free = make_judge(board, placements, bits)
@@ -102,7 +102,7 @@ def make_judge(board: Board, placements: Sequence[int], bits: int) -> Callable[[
         else:
             pairs = [
                 (moved(partial(_return_solid, wall)), board.required(k))
-                for k, wall in enumerate(board.around)
+                for k, wall in enumerate(board.obstacles)
             ]
         for pair, required in pairs:
             found = judge_pair(pair, bits, required)
@@ -153,8 +153,8 @@ def _find_rounded_move(
     k, move = placements[-1], ORIGIN
     if len(placements) > 1:
         fixed = board.solid(placements[0], bits)
-    elif len(board.around) == 1 and isinstance(board.around[0].form, OutsideForm):
-        fixed = board.around[0]
+    elif len(board.obstacles) == 1 and isinstance(board.obstacles[0].form, OutsideForm):
+        fixed = board.obstacles[0]
     else:
         return None
     at, is_outside = board.layout.placements[k].move, len(placements) < 2
@@ -179,7 +179,7 @@ def _make_overlap_judge(
 ) -> Callable[[Point], bool]:
     k = placements[-1]
     at = board.layout.placements[k].move
-    fixed = [board.solid(placements[0], bits)] if len(placements) > 1 else board.around
+    fixed = [board.solid(placements[0], bits)] if len(placements) > 1 else board.obstacles
 
     def is_free(move: Point) -> bool:
         moved = board.solid_at(k, Point(at.x + move.x, at.y + move.y), bits)

@@ -137,8 +137,8 @@ def _list_piece_conditions(
 ) -> Iterator[_Condition]:
     """Yield the conditions of near pieces of two placements, or of one and the obstacles."""
     k = at[-1]
-    walls = range(len(board.around)) if len(at) < 2 else ()
-    pairs = [(board.around[wall], board.required(wall)) for wall in walls]
+    walls = range(len(board.obstacles)) if len(at) < 2 else ()
+    pairs = [(board.obstacles[wall], board.required(wall)) for wall in walls]
     for fixed, required in pairs or [(board.solid(at[0]), board.layout.spacing)]:
         part = board.solid(k)
         if _count(part) * _count(fixed) > _MOST:

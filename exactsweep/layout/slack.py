@@ -66,7 +66,7 @@ def find_slack(judgement: Judgement) -> ProvedSlack | None:
 def _list_points(solid: Solid) -> Iterator[tuple[Point, Fraction]]:
     for piece, radius in solid.rounded:
         for x, y in piece:
-            yield solid.leave(x, y), Fraction(radius) / solid.scale
+            yield solid.to_point(x, y), Fraction(radius) / solid.scale
 
 
 def _find_room(solid: Solid, layout: Layout) -> Fraction:

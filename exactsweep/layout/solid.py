@@ -154,7 +154,7 @@ class Solid(NamedTuple):
         x, y = self.x, self.y
         return [([(px + x, py + y) for px, py in hull], r) for hull, r in self.form.rounded]
 
-    def leave(self, x: int | Fraction, y: int | Fraction) -> Point:
+    def to_point(self, x: int | Fraction, y: int | Fraction) -> Point:
         """Convert lattice coordinates, which may be fractions, to a point of the plane."""
         return Point(Fraction(x) / self.scale, Fraction(y) / self.scale)
 

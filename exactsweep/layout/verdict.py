@@ -30,6 +30,8 @@ MAX_BITS = 256  # the maximum precision of rational rotations
 
 # Rotations are precise enough once the slack of curves is this many times theirs, by (3).
 _SHARE = 1000
+# Returns the pair of solids, with rotation errors of at most 2**-bits.
+Refine = Callable[[int], tuple[Solid, Solid]]
 
 
 class PairVerdict(NamedTuple):
@@ -39,10 +41,6 @@ class PairVerdict(NamedTuple):
     bits: int  # the precision of the rotations
     slack: Fraction  # of both solids; 0 for exact rotations of polygons
     error: Fraction = Fraction(0)  # the part of the slack due to flattened curves
-
-
-# Returns the pair of solids, with rotation errors of at most 2**-bits.
-Refine = Callable[[int], tuple[Solid, Solid]]
 
 
 def judge_pair(refine: Refine, bits: int, spacing: Fraction) -> PairVerdict:

@@ -23,8 +23,8 @@ def test_a_finer_lattice_keeps_the_position(scale: int, factor: int, move: tuple
     solid = Solid(form, *move, scale, Fraction(1, 7))
     finer = solid.on(scale * factor)
     assert (finer.scale, finer.slack) == (scale * factor, solid.slack)
-    assert [finer.leave(x, y) for piece in finer.pieces for x, y in piece] == [
-        solid.leave(x, y) for piece in solid.pieces for x, y in piece
+    assert [finer.to_point(x, y) for piece in finer.pieces for x, y in piece] == [
+        solid.to_point(x, y) for piece in solid.pieces for x, y in piece
     ]
     assert [one.scale for one in share_scale(solid, finer)] == [finer.scale] * 2
 

@@ -1,5 +1,6 @@
 """Template programs that speak the protocol of `exactsweep conform`."""
 
+# One line about each program.
 SUMMARIES = {
     "doubles.cpp": "C++: no-fit polygons and Minkowski sums of any shapes with holes, in doubles",
     "doubles.js": "JavaScript: the same",
@@ -8,4 +9,3 @@ SUMMARIES = {
     "convex.py": "Python: convex pairs in fractions, the shortest program",
     "shapes.py": "Python: every question, by exactsweep itself",
 }
-"""The programs by name, with a line on each."""

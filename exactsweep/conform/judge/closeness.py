@@ -26,6 +26,8 @@ from exactsweep.numbers.addition import add_up
 from exactsweep.numbers.number import Fit, Loop, Point, PointRings
 from exactsweep.words import write_pair
 
+_NUMBERS = {2: "two", 3: "three", 4: "four"}
+
 
 class _NearEdge(NamedTuple):
     """The open hexagon of points closer than a bound to an edge, with its bounding box.
@@ -213,9 +215,6 @@ def _clip(corners: Sequence[Point], heights: Sequence[Fraction]) -> list[Point]:
         if after >= 0:
             part.append(q)
     return list(dict.fromkeys(part))
-
-
-_NUMBERS = {2: "two", 3: "three", 4: "four"}
 
 
 def match_rounded(

@@ -37,17 +37,32 @@ _BOUNDARIES = (
 _MAX_ROUNDED = 16
 _NEARLY = 4
 _POSITIONS = ("trajectory", "no_fit", SUM, "inner_fit")  # depend on the reference point
+# Diagnoses in terms of a Minkowski sum of a = D and b = -G.
+_SUMS = {
+    "D + G, G not reflected": "exact for a + (-b), b reflected",
+    "exchanged roles: D around G": "exact for -(a + b)",
+    "D itself": "a itself",
+    "G itself": "-b",
+}
+_GIVEN = "the reference point given"
+_USUAL = ("G's first vertex as reference", "G's origin as reference")
+_AXES = {
+    "exchanged roles: D around G": (-1, 0, 0, -1),
+    "other axes: y is negated": (1, 0, 0, -1),
+    "other axes: x is negated": (-1, 0, 0, 1),
+    "other axes: x and y are exchanged": (0, 1, 1, 0),
+    "other axes: rotated by 90 degrees": (0, -1, 1, 0),
+    "other axes: rotated by -90 degrees": (0, 1, -1, 0),
+}
 
 
 class _DiagnosedRings(NamedTuple):
-    """An answered loop, with the corners `low` and `high` of its bounding box."""
-
     case: Case
     name: str
     exact: PointRings
     rings: PointRings
     rounding: Fraction
-    low: Point
+    low: Point  # the corners of the bounding box
     high: Point
 
     @property
@@ -137,7 +152,6 @@ def _name_vertices(exact: PointRings, theirs: PointRings) -> Iterator[str]:
 
 
 def _other_loops(theirs: _DiagnosedRings) -> Iterator[str]:
-    """Name other loops of the case that equal the answer."""
     case, exact = theirs.case, theirs.exact
     for other, words in LOOP_NAMES.items():
         if SUM in (other, theirs.name):
@@ -188,25 +202,6 @@ def _other_positions(theirs: _DiagnosedRings) -> list[str]:
     if factor is not None:
         found.append((5, f"exact for another scale: {abridge(factor)} times as large"))
     return [words for _, words in sorted(found, key=itemgetter(0))]
-
-
-# Diagnoses in terms of a Minkowski sum of a = D and b = -G.
-_SUMS = {
-    "D + G, G not reflected": "exact for a + (-b), b reflected",
-    "exchanged roles: D around G": "exact for -(a + b)",
-    "D itself": "a itself",
-    "G itself": "-b",
-}
-_GIVEN = "the reference point given"
-_USUAL = ("G's first vertex as reference", "G's origin as reference")
-_AXES = {
-    "exchanged roles: D around G": (-1, 0, 0, -1),
-    "other axes: y is negated": (1, 0, 0, -1),
-    "other axes: x is negated": (-1, 0, 0, 1),
-    "other axes: x and y are exchanged": (0, 1, 1, 0),
-    "other axes: rotated by 90 degrees": (0, -1, 1, 0),
-    "other axes: rotated by -90 degrees": (0, 1, -1, 0),
-}
 
 
 def _map(rings: PointRings, a: int, b: int, c: int, d: int, by: Point = ORIGIN) -> PointRings:

@@ -15,6 +15,8 @@ from exactsweep.numbers.error import ExactSweepError, NumberError, quote
 from exactsweep.numbers.number import Loop, Point, to_fraction
 from exactsweep.words import count
 
+LOOPS = ("trajectory", "inner", "outer", "no_fit", "minkowski_sum", "inner_fit")
+
 
 class Verdict(StrEnum):
     """The verdicts from best to worst; VERDICTS.md defines them.
@@ -57,17 +59,13 @@ class Verdict(StrEnum):
 class Witness:
     """A verified position or point at which an answer is wrong.
 
-    Attributes:
-        says: a description in one sentence.
-        translation: the translation of G, or None if the witness is not a position.
-        classified: the verdict of `classify` on the translation, or None.
-        point: for an OVERLAP, a point in both interiors; for the inner and the outer loop, the
-            point that G can or cannot cover; or None.
+    The point is in both interiors for an OVERLAP; G can or cannot cover it for inner and outer
+    loops.
     """
 
-    says: str
-    translation: Point | None = None
-    classified: Meeting | None = None
+    says: str  # one sentence
+    translation: Point | None = None  # of G, if the witness is a position
+    classified: Meeting | None = None  # the verdict of `classify` on the translation
     point: Point | None = None
 
 
@@ -115,19 +113,12 @@ class PartComparison:
 
 @dataclass(frozen=True)
 class Comparison:
-    """The comparison of an answer with the exact one, or the reason why there is no answer.
+    """The comparison of an answer with the exact one, or the reason why there is no answer."""
 
-    Attributes:
-        id: the id of the case.
-        verdict: the worst verdict of the parts.
-        reason: one line, from the worst part.
-        parts: tuple of PartComparison, loops first.
-    """
-
-    id: str
-    verdict: Verdict
-    reason: str = ""
-    parts: tuple[PartComparison, ...] = ()
+    id: str  # of the case
+    verdict: Verdict  # the worst of the parts
+    reason: str = ""  # one line, from the worst part
+    parts: tuple[PartComparison, ...] = ()  # loops first
 
     @property
     def worst(self) -> PartComparison | None:
@@ -138,9 +129,6 @@ class Comparison:
         """Return plain data with numbers as strings."""
         parts = [part.to_json() for part in self.parts]
         return vars(self) | {"verdict": self.verdict.value, "parts": parts}
-
-
-LOOPS = ("trajectory", "inner", "outer", "no_fit", "minkowski_sum", "inner_fit")
 
 
 class AnswerError(ExactSweepError):

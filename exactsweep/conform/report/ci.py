@@ -13,6 +13,7 @@ from exactsweep.conform.run.run import Run, fails
 
 MAX_ANNOTATIONS = 10  # GitHub shows no more for a step
 _EXACT = (Verdict.EXACT, Verdict.EQUIVALENT, Verdict.EQUIVALENT_EXCEPT_FOR_EXACT_FITS)
+_ERRORS = (Verdict.TIMEOUT, Verdict.MEMORY, Verdict.CRASH)
 
 
 def write_badge(run: Run) -> str:
@@ -52,9 +53,6 @@ def _write_command(title: str, words: str) -> str:
 def _escape(text: str, more: str = "") -> str:
     text = replace_controls(text)
     return "".join(f"%{ord(c):02X}" if c in f"%\r\n{more}" else c for c in text)
-
-
-_ERRORS = (Verdict.TIMEOUT, Verdict.MEMORY, Verdict.CRASH)
 
 
 def write_junit(run: Run) -> str:

@@ -38,8 +38,6 @@ _KEY = (
     ("exact", "exact"),
     ("theirs", "theirs"),
 )
-
-
 SIDE = 320
 _MARGIN = 23
 _ZOOM = 4

@@ -15,8 +15,8 @@ from exactsweep.processes import ChildProcess
 
 _CHUNK = 65536
 _LAST_CHUNKS = 16
-_LOOKING = 0.2  # seconds between checks of memory and exit
-_TO_EXIT = 1.0  # seconds to exit after a process closes its output
+_POLL_SECONDS = 0.2  # seconds between checks of memory and exit
+_EXIT_SECONDS = 1.0  # seconds to exit after a process closes its output
 
 
 class ChannelError(Exception):
@@ -70,7 +70,7 @@ class Channel:
     def receive(self, seconds: float) -> str:
         """Wait for a line, and replace invalid UTF-8; raise a ChannelError if there is none."""
         now = time.monotonic()
-        deadline, look = now + seconds, now + _LOOKING
+        deadline, look = now + seconds, now + _POLL_SECONDS
         while True:
             line = self._take()
             if line is not None:
@@ -79,7 +79,7 @@ class Channel:
             now = time.monotonic()
             if now >= look:
                 self._weigh()
-                look = now + _LOOKING
+                look = now + _POLL_SECONDS
             if now >= deadline:
                 raise SilentError(f"within {seconds:g} s")
             self._transfer(deadline - now)
@@ -139,7 +139,7 @@ class Channel:
             with suppress(KeyError):
                 self._selector.register(self._stdin, selectors.EVENT_WRITE)
         had_ended = self._started.process.poll() is not None
-        ready = self._selector.select(min(seconds, _LOOKING))
+        ready = self._selector.select(min(seconds, _POLL_SECONDS))
         if had_ended and not ready:
             # A descendant still holds its output open.
             raise ClosedError(self._end())
@@ -173,7 +173,7 @@ class Channel:
         return chunk
 
     def _end(self) -> str:
-        code = self._started.wait(_TO_EXIT)
+        code = self._started.wait(_EXIT_SECONDS)
         # The pipe has its last output; a descendant may still be writing.
         with suppress(OSError, KeyError):
             for _ in range(_LAST_CHUNKS):

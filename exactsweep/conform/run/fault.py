@@ -40,6 +40,13 @@ _PLACES = (
     re.compile(r'File "(?:[^"]*[/\\])?([^"/\\]*)", line (\d+)'),
     re.compile(r"\bat (?:.*[ (])?(?:file://)?(?!node:)(?:[^\s()]*[/\\])?([\w.-]+\.\w+):(\d+)"),
 )
+_ENDED = ("exited with code", "was killed by signal")
+# Line numbers of source files stay; other numbers depend on the case.
+_NUMBER = re.compile(
+    r"(\bline \d+|[\w/\\-]+\.[A-Za-z]\w*:\d+)|0x[0-9a-fA-F]+|\d+(?:[./]\d+)*(?:[eE][+-]?\d+)?"
+)
+# An apostrophe between letters is no quotation mark.
+_QUOTED = re.compile(r"""(?<!\w)'[^']*'(?!\w)|"[^"]*"|`[^`]*`""")
 
 
 def find_error(stderr: str) -> str:
@@ -87,15 +94,6 @@ def find_place(stderr: str) -> str:
     return ""
 
 
-_ENDED = ("exited with code", "was killed by signal")
-# Line numbers of source files stay; other numbers depend on the case.
-_NUMBER = re.compile(
-    r"(\bline \d+|[\w/\\-]+\.[A-Za-z]\w*:\d+)|0x[0-9a-fA-F]+|\d+(?:[./]\d+)*(?:[eE][+-]?\d+)?"
-)
-# An apostrophe between letters is no quotation mark.
-_QUOTED = re.compile(r"""(?<!\w)'[^']*'(?!\w)|"[^"]*"|`[^`]*`""")
-
-
 def name_fault(
     verdict: Verdict,
     reason: str,
@@ -139,9 +137,4 @@ def _mask_values(text: str) -> str:
 
 
 def mask_numbers(text: str) -> str:
-    """Replace the numbers of a diagnosis.
-
-    >>> mask_numbers("translated by (3,-1/2)")
-    'translated by (#,-#)'
-    """
     return _NUMBER.sub(lambda found: found[1] or "#", cut(text))

@@ -25,40 +25,22 @@ _MAX_RESULT = 65536  # characters of a kept answer
 
 @dataclass(frozen=True)
 class Outcome:
-    """The outcome of one case.
-
-    Attributes:
-        id: the id of the case.
-        kind: its class.
-        flags: its flags.
-        verdict: the verdict.
-        reason: one line.
-        fault: by `name_fault`.
-        diagnosis: that of the worst part.
-        seconds: the time of the answer.
-        memory: the program's peak memory in bytes, or None if unknown.
-        digest: a hash of the original case.
-        parts: each part by `PartComparison.to_json`; empty for exact and equivalent answers.
-        case: the adapted case by `case_to_json`; None for exact, equivalent and unsupported
-            answers.
-        result: the answer; None for the same answers, or if it is too long.
-        stderr: the end of the program's standard error, if it failed.
-    """
+    """The outcome of one case. Exact, equivalent and unsupported answers are not kept."""
 
     id: str
     kind: str
     flags: tuple[str, ...]
     verdict: Verdict
-    reason: str = ""
-    fault: str = ""
-    diagnosis: tuple[str, ...] = ()
-    seconds: float = 0.0
-    memory: int | None = None
-    digest: str = ""
-    parts: tuple[Mapping[str, Any], ...] = ()
-    case: Mapping[str, Any] | None = None
-    result: Mapping[str, Any] | None = None
-    stderr: str = ""
+    reason: str = ""  # one line
+    fault: str = ""  # by `name_fault`
+    diagnosis: tuple[str, ...] = ()  # of the worst part
+    seconds: float = 0.0  # until the answer
+    memory: int | None = None  # the program's peak in bytes, if known
+    digest: str = ""  # of the original case
+    parts: tuple[Mapping[str, Any], ...] = ()  # by `PartComparison.to_json`
+    case: Mapping[str, Any] | None = None  # the adapted case by `case_to_json`
+    result: Mapping[str, Any] | None = None  # the answer; None if it is too long
+    stderr: str = ""  # its end, if the program failed
 
     def to_json(self) -> dict[str, Any]:
         """Return plain data without empty members."""
@@ -102,7 +84,7 @@ def outcome_from_json(data: Mapping[str, Any]) -> Outcome:
             parts[name] = tuple(data.get(name, ()))
         return Outcome(**parts)
     except (KeyError, TypeError) as error:
-        raise ExactSweepError(f"no outcome: {error}") from None
+        raise ExactSweepError(f"invalid outcome: {error}") from None
 
 
 def list_witnesses(part: Mapping[str, Any]) -> list[Mapping[str, Any]]:

@@ -25,13 +25,10 @@ class JudgeError(ExactSweepError):
 
 
 class Judges:
-    """Judging processes, each with its own copy of a program; `close` ends all of them.
-
-    `complaints` are errors when the processes end; they are complete after `finish`.
-    """
+    """Judging processes, each with its own copy of a program; `close` ends all of them."""
 
     def __init__(self, terms: Terms, workers: int = 1) -> None:
-        self.complaints: list[str] = []
+        self.complaints: list[str] = []  # how processes ended; complete after `finish`
         try:
             self._pool = Pool(workers, set_limits, get_limits())
         except OSError as error:

@@ -31,6 +31,15 @@ _MEMBERS = ("hello", "loops", "numbers", "reference", "questions", "shapes")
 SUM: Question = "minkowski_sum"
 BYE = '{"bye": true}'
 MAX_NAME = 200
+_POSITIONS = (
+    *("reference", "trajectory", "holes", "exact_fits"),
+    *("inner_regions", "inner_exact_fits"),
+)
+# Members of a case that do not depend on the reference point.
+_FIXED = (
+    *("directrix_ring", "directrix_holes", "generatrix_ring", "generatrix_holes"),
+    *("inner", "outer", "unswept"),
+)
 
 
 class ProtocolError(ExactSweepError):
@@ -206,17 +215,6 @@ def adapt(case: Case, hello: Hello) -> Case:
         if hello.numbers in find_types([*reflected], 1):
             return scaled
     raise UnsupportedError(f"{hello.numbers} cannot represent the case")
-
-
-_POSITIONS = (
-    *("reference", "trajectory", "holes", "exact_fits"),
-    *("inner_regions", "inner_exact_fits"),
-)
-# Members of a case that do not depend on the reference point.
-_FIXED = (
-    *("directrix_ring", "directrix_holes", "generatrix_ring", "generatrix_holes"),
-    *("inner", "outer", "unswept"),
-)
 
 
 def _transform(case: Case, k: int | Fraction = 1, by: Point = ORIGIN) -> Case:

@@ -21,6 +21,8 @@ ALL = "all"
 ACCEPTED = Verdict.EQUIVALENT_EXCEPT_FOR_EXACT_FITS  # the default worst verdict that passes
 
 _DIFFERENT = (Verdict.CONSERVATIVE, Verdict.UNSOUND, Verdict.WRONG)
+SHOWN = 5  # failures kept in full for each fault
+MAX_FAULTS = 40  # others are grouped by verdict
 
 
 class Tally:
@@ -99,14 +101,8 @@ def read_any_length(text: str) -> Fraction:
         return to_fraction(text)
 
 
-SHOWN = 5  # failures kept in full for each fault
-MAX_FAULTS = 40  # others are grouped by verdict
-
-
 @dataclass
 class NamedFault:
-    """Failures with the same fault."""
-
     verdict: Verdict
     name: str
     count: int = 0
@@ -120,12 +116,6 @@ class NamedFault:
 class Run:
     """The outcomes of a program.
 
-    Args:
-        hello: the program's hello.
-        command: the command; empty for a function or a stream.
-        accepted: the worst verdict that passes.
-        least_judged: the fraction of the cases that must be judged for the run to pass.
-
     Attributes:
         outcomes: list of all outcomes without the case, the answer and the parts, to save memory.
         shrunk: dict from the id of a case to the outcome of a smaller case with the same fault.
@@ -137,9 +127,9 @@ class Run:
     def __init__(
         self,
         hello: Hello,
-        command: Sequence[str] = (),
-        accepted: Verdict = ACCEPTED,
-        least_judged: Fraction = Fraction(0),
+        command: Sequence[str] = (),  # empty for a function or a stream
+        accepted: Verdict = ACCEPTED,  # the worst verdict that passes
+        least_judged: Fraction = Fraction(0),  # the required fraction of judged cases
     ) -> None:
         self.hello, self.command, self.accepted = hello, tuple(command), accepted
         self.least_judged = least_judged

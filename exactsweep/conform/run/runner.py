@@ -23,7 +23,7 @@ def judge_cases(
     cases: Iterable[Case],
     *,
     journal: Journal | None = None,
-    tell: Callable[[], None] = lambda: None,
+    report: Callable[[], None] = lambda: None,
     made_smaller: int = 0,
 ) -> None:
     """Send cases to a program and collect the outcomes; skip cases in the journal.
@@ -36,7 +36,7 @@ def judge_cases(
             old = journal and journal.find(digest_case(case))
             if old:
                 run.add(old)
-                tell()
+                report()
             else:
                 yield case
 
@@ -45,7 +45,7 @@ def judge_cases(
             if journal:
                 journal.add(outcome)
             run.add(outcome)
-            tell()
+            report()
         failures = run.list_shrinkable(made_smaller)
         for id, smallest in judges.shrink(failures, _share_time(failures)):
             run.add_shrunk(id, smallest)

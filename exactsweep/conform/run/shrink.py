@@ -79,8 +79,6 @@ def shrink(
     Raises:
         ShrinkError: the verdict on the case is exact or equivalent.
 
-    Cost: `tries` calls of `judge` and `sweep`.
-
     Example:
         >>> from exactsweep.corpus import find_case
         >>> def loses_fits(case):

@@ -14,36 +14,6 @@ from exactsweep.geometry.polygon import Polygon
 from exactsweep.numbers.error import ExactSweepError, explain_type_errors, quote
 
 _ID = re.compile(r"gen-([a-z0-9-]+)-(0|[1-9][0-9]{0,17})-(0|[1-9][0-9]{0,17})")
-
-
-class Family(NamedTuple):
-    """A family of generated pairs.
-
-    Attributes:
-        name: the name on the command line.
-        level: "easy", "degenerate", "numeric", "large" or "any shape".
-        make: draws a generatrix and a directrix, as lists of pairs of numbers or as Regions.
-        flags: additional flags of all cases.
-        respelled: whether the vertices stay as generated instead of canonical.
-    """
-
-    name: str
-    level: str
-    make: Callable[[Prng], Any]
-    flags: tuple[str, ...] = ()
-    respelled: bool = False
-
-    @property
-    def description(self) -> str:
-        """The description of its pairs."""
-        return cleandoc(self.make.__doc__ or "")
-
-    @property
-    def summary(self) -> str:
-        """The first line of the description."""
-        return self.description.partition("\n")[0]
-
-
 # The families by level.
 LEVELS = {
     "easy": (plain, "convex notched monotone"),
@@ -65,6 +35,26 @@ FLAGS = {
     "near-fits": "near-fit",
     "lower-bound": "lower-bound",
 }
+
+
+class Family(NamedTuple):
+    """A family of generated pairs."""
+
+    name: str
+    level: str  # "easy", "degenerate", "numeric", "large" or "any shape"
+    make: Callable[[Prng], Any]  # draws G and D, as lists of pairs of numbers or as Regions
+    flags: tuple[str, ...] = ()  # of all cases, in addition to those of `find_flags`
+    respelled: bool = False  # whether the vertices stay as generated instead of canonical
+
+    @property
+    def description(self) -> str:
+        """The description of its pairs."""
+        return cleandoc(self.make.__doc__ or "")
+
+    @property
+    def summary(self) -> str:
+        """The first line of the description."""
+        return self.description.partition("\n")[0]
 
 
 def _list_families() -> Iterator[Family]:
@@ -107,11 +97,7 @@ def generate(family: str, seed: int, count: int | None = None) -> Iterator[Case]
 
 
 def generate_case(id: str) -> Case:
-    """Make the case with an id gen-FAMILY-SEED-NUMBER.
-
-    >>> generate_case("gen-fits-7-1") == list(generate("fits", 7, 2))[1]
-    True
-    """
+    """Make the case with an id gen-FAMILY-SEED-NUMBER."""
     match = _ID.fullmatch(id)
     if match is None:
         raise UnknownNameError(f"{quote(id)} is not of the form gen-FAMILY-SEED-NUMBER")

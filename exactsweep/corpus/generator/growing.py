@@ -33,7 +33,6 @@ def zigzag(n: int, random: Random, step: int = 1000, height: int = 1000) -> Ring
 
 
 def comb(m: int, width: int, depth: int) -> Ring:
-    """Make an X-monotone polygon of m vertices with deep teeth on both sides."""
     half = m // 2 - 1
     bottom = [(width * k, -depth if k % 2 else 0) for k in range(1, half + 1)]
     top = [(x, 2 * depth - y) for x, y in bottom]
@@ -80,11 +79,10 @@ def figure10(m: int, n: int, seed: int = 0) -> tuple[Ring, Ring]:
 
 
 def needles(m: int, n: int) -> tuple[Ring, Ring]:
-    """Make an inner loop of order m n^2: needles in D_b at distances of nearly the width of G.
+    """Make an inner loop of order m n^2, by the proof of Lemma 5.5.
 
-    D_b has about m / 3 needles under a high ceiling, and G_t has `inner_peaks(n)` peaks. All
-    differences of x between a peak and a valley are distinct ints, also after shifting some of them
-    by the distance between two needles: see the proof of Lemma 5.5.
+    D_b has about m / 3 needles under a high ceiling, at distances of nearly the width of G. G_t has
+    `inner_peaks(n)` peaks.
     """
     peaks = inner_peaks(n)
     pitch = 2 * peaks + 2
@@ -116,11 +114,7 @@ def edges_over_needles(m: int, n: int) -> int:
 
 
 def ceilings(m: int, n: int) -> tuple[Ring, Ring]:
-    """Make an inner loop of order m n^2 undercuts: `needles` under ceilings that the peaks touch.
-
-    Between two needles, G touches the ceiling at `inner_peaks(n)` (`inner_peaks(n)` - 1) positions:
-    see the proof of "Number of undercuts, MM".
-    """
+    """Make order m n^2 undercuts, by the proof of "Number of undercuts, MM"."""
     generatrix, directrix = needles(m, n)
     high = max(y for _, y in generatrix)
     lowered = [(x, min(y, high)) for x, y in directrix[1:-2]]
@@ -185,7 +179,6 @@ def edges_of_bumps(m_b: int, n_t: int, n_b: int) -> int:
 
 
 def printed_count(m_b: int, n_t: int, n_b: int) -> int:
-    """Compute the paper's formula for the same number."""
     return m_b + n_t + (m_b // 2) * (n_t // 2) * (n_b - 2) + 2
 
 

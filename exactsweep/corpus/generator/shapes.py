@@ -9,6 +9,7 @@ from exactsweep.geometry.vectors import find_hull, orientation
 
 IntegerPoint = tuple[int, int]
 Ring = list[IntegerPoint]
+P = TypeVar("P", bound=tuple[Any, Any])
 
 
 class Grid(NamedTuple):
@@ -19,9 +20,6 @@ class Grid(NamedTuple):
     height: int  # maximum y of each chain; the minimum is 0
     walls: int = 0  # probability of a vertical edge between cells, in eighths
     pointed: int = 3  # probability of a point instead of a vertical edge at an end, in eighths
-
-
-P = TypeVar("P", bound=tuple[Any, Any])
 
 
 def draw_convex(random: Prng, most: int, side: int) -> Ring:

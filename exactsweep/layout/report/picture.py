@@ -191,8 +191,6 @@ def enlarge_faults(
 
 
 class DrawnShape(NamedTuple):
-    """A shape to draw: rings, rounded pieces, or nothing."""
-
     rings: Sequence[Sequence[Point]] = ()
     pieces: Sequence[RoundedPiece] = ()
 
@@ -226,7 +224,7 @@ def find_inner_point(judgement: Judgement, k: int) -> Point | None:
     pieces = solid.pieces
     piece = pieces[0] if len(pieces) == 1 else max(pieces, key=find_doubled_area)
     xs, ys = zip(*piece, strict=True)
-    return solid.leave(Fraction(sum(xs), len(xs)), Fraction(sum(ys), len(ys)))
+    return solid.to_point(Fraction(sum(xs), len(xs)), Fraction(sum(ys), len(ys)))
 
 
 def place_shape(layout: Layout, k: int) -> DrawnShape:

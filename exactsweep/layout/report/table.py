@@ -99,20 +99,15 @@ def list_measures(
         exact = rounded if judgement.density_error else abridge(judgement.density)
         facts["density"] = exact if rounded == exact else f"{rounded}, exactly {exact}"
     facts["contacts"] = str(len(judgement.contacts))
-    if layout.greatest_error:
-        facts["curves"] = describe_curve_error(layout.greatest_error)
+    if error := layout.greatest_error:
+        within = approximate(error, up=True)
+        facts["curves"] = f"flattened to within {within}; the verdict holds for the true curves"
     nearest = judgement.distance
     if nearest is not None and not (judgement.faults or judgement.contacts):
         named = " and ".join(context.name_placement(judgement, k) for k in nearest.placements)
         root = context.add_unit(approximate(take_root(nearest.square)))
         facts["nearest"] = f"{named}, {root} apart"
     return facts
-
-
-def describe_curve_error(error: Fraction) -> str:
-    return (
-        f"flattened to within {approximate(error, up=True)}; the verdict holds for the true curves"
-    )
 
 
 def write_verdict(

@@ -41,8 +41,6 @@ class WorstFirst(NamedTuple):
 
 
 class ReportContext(NamedTuple):
-    """Facts about the file of a layout, and the accepted depth."""
-
     unchecked: Sequence[str] = ()  # rules and shapes that were not judged
     places: Sequence[str] = ()  # the location of each placement in the file
     unit: str = ""  # of length, such as "mm"
@@ -68,13 +66,13 @@ NO_CONTEXT = ReportContext()  # of a layout without a file
 
 def rank_faults(
     judgement: Judgement,
-    tell: Callable[[int, int], object] = lambda done, total: None,
+    report: Callable[[int, int], object] = lambda done, total: None,
     accepted: Fraction | None = None,
 ) -> list[WorstFirst]:
     """Sort the faults of a judgement: accepted ones last, then by kind, the worst first.
 
     At most MAX_MEASURED faults are measured, beginning with the greatest overlaps of boxes; more
-    if all of these are tiny, and all if some depth is accepted. `tell` is called with the number of
+    if all of these are tiny, and all if some depth is accepted. `report` takes the number of
     measured faults and the total.
     """
     order, faults = get_args(FaultKind), judgement.faults
@@ -88,7 +86,7 @@ def rank_faults(
             is_tiny = all(one.is_rounding(judgement) for one in found)
         square, is_accepted = fault.distance_squared, False
         if k < total or (is_tiny and not WorstFirst(fault, square).is_rounding(judgement)):
-            tell(k, total if k < total else len(faults))
+            report(k, total if k < total else len(faults))
             square = fault.depth_squared if square is None else square
             is_accepted = accepted is not None and fault.is_within(accepted)
         found.append(WorstFirst(fault, square, is_accepted))
