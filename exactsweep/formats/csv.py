@@ -93,14 +93,11 @@ def _head(text: str) -> set[str]:
 
 
 def parse_csv(text: str) -> list[Candidate]:
-    """Find the polygons of a table.
+    """Find the polygons of a table, by its columns; see the README for their names.
 
-    Each row has one vertex, in columns x and y, or without a header in the first two columns. A
-    column "name", "id" or "part" names the polygon, "polygon" distinguishes polygons with the same
-    name, and "ring" distinguishes rings, exterior first. Alternatively, each row has one polygon in
-    a column "wkt" or "geometry", or one rectangle with "width" and "height", "w" and "h", or "lx"
-    and "ly". Commas, semicolons or tabs separate columns; with semicolons or tabs, the decimal
-    point may be a comma.
+    Without a header, the first two columns are x and y. A "polygon" column distinguishes polygons
+    with the same name, and a "ring" column distinguishes rings, exterior first. With semicolons or
+    tabs as separators, the decimal point may be a comma.
     """
     # Numbers may exceed Python's global limit of 131,072 characters.
     with _limit_held:

@@ -28,16 +28,10 @@ class Sheet(NamedTuple):
 
 
 def find_sheets(outlines: Sequence[Candidate], container: str | None) -> list[Sheet]:
-    """Find the containers of a drawing, and assign all other outlines to them.
+    """Find the containers of a drawing, and assign all other outlines to them; see the README.
 
     `container` is the name, index or layer of the container, or a group, whose outermost outline is
-    the container. If None, the container is the only outline on a layer named sheet, bin, board,
-    container or stock; else the one whose box contains all others; else those with such a name,
-    class or layer; else the largest one, if it contains the centers of all other boxes. Other
-    outlines in the given group, on the given layer, or on a layer with such a name, are defects.
-    Case is ignored.
-
-    Raises FormatError if there is no container, or none with the given name.
+    the container; case is ignored. Raises FormatError if there is no such container.
     """
     boxes = {id(one): _bound(one) for one in outlines}
 

@@ -1,9 +1,4 @@
-"""Reader of tables of placements: one row per placed part, in CSV, TSV or JSON objects.
-
-Columns may be in any order; `exactsweep.formats.csv` lists their names. Letters before numbers
-are ignored, as in "s0.125", which some contests require. With a group column, or ids such as 002_0
-and 002_1, each group is a layout. With a radius column, the parts are discs.
-"""
+"""Reader of tables of placements, one row per placed part; see the README for their columns."""
 
 import csv
 import os
