@@ -141,8 +141,8 @@ def find_failures(name: str, seed: int, numbers: range) -> list[str]:
 def by_sfcgal(name: str, seed: int, numbers: range) -> list[Compared]:
     """Compare pairs, except for exact fits, with SFCGAL, an independent program."""
     pairs = [STRATEGIES[name].draw(seeded(seed, number)) for number in numbers]
-    said = ask_sfcgal([case_of(pair) for pair in pairs])
-    return [Compared(name_class(pair), line) for pair, line in zip(pairs, said, strict=True)]
+    answers = ask_sfcgal([case_of(pair) for pair in pairs])
+    return [Compared(name_class(pair), line) for pair, line in zip(pairs, answers, strict=True)]
 
 
 REFERENCES = {"definition": by_definition, "sfcgal": by_sfcgal}
@@ -161,19 +161,19 @@ def ask_sfcgal(cases: Sequence[Case]) -> Iterator[str]:
     """
     left = list(cases)
     while left:
-        with tempfile.TemporaryFile("w+") as given, tempfile.TemporaryFile("w+") as said:
+        with tempfile.TemporaryFile("w+") as given, tempfile.TemporaryFile("w+") as answers:
             given.writelines(map(case_to_line, left))
             given.seek(0)
             done = subprocess.run(
                 [sys.executable, Path(__file__).parent / "support" / "sfcgal_sweep.py"],
                 stdin=given,
-                stdout=said,
+                stdout=answers,
                 stderr=subprocess.PIPE,
                 env=os.environ | {"PYTHONFAULTHANDLER": ""},
                 check=False,
             )
-            said.seek(0)
-            lines = said.read().splitlines()
+            answers.seek(0)
+            lines = answers.read().splitlines()
         for case, line in zip(left, lines, strict=False):
             yield line.removeprefix(case.id).strip()
         if len(lines) < len(left):
@@ -217,10 +217,10 @@ def main(name: str, count: int, seed: int, first: int, reference: str, workers: 
     with ProcessPoolExecutor(workers) as pool:
         results = pool.map(partial(REFERENCES[reference], name, seed), chunks)
         progress = Console(stderr=True)
-        for numbers, said in track(
+        for numbers, answers in track(
             zip(chunks, results, strict=True), total=len(chunks), console=progress
         ):
-            for number, (kind, failure) in zip(numbers, said, strict=True):
+            for number, (kind, failure) in zip(numbers, answers, strict=True):
                 if failure and not failure.startswith("crashes"):
                     wrong += 1
                     console.print(describe(name, seed, number, failure))

@@ -66,17 +66,17 @@ def compare(certificate: Any, seconds: float) -> str:
         reason = ""
     answer = ask(certificate, seconds=seconds)
     if answer == "out of time":
-        return f"{answer}, {'refused' if reason else 'proved'} in Python"
+        return f"{answer}, {'rejected' if reason else 'proved'} in Python"
     if (answer == "accepted") == (not reason):
-        return "both prove" if not reason else "both refuse"
+        return "both prove" if not reason else "both reject"
     if not reason and answer == "malformed":
         try:
             to_claim(certificate)
         except TheoremError as error:
             return f"proved in Python, no claim in Coq: {error}"
     if reason and FORM.search(reason):
-        return "refused in Python for its form"
-    return f"DIFFERENT: {f'refused in Python, {reason}' if reason else f'{answer} in Coq'}"
+        return "rejected in Python for its form"
+    return f"DIFFERENT: {f'rejected in Python, {reason}' if reason else f'{answer} in Coq'}"
 
 
 @click.command()

@@ -120,14 +120,14 @@ def main(wrong: int) -> None:
     for name, mistake in MISTAKES.items():
         judged = [*islice(judge_wrong_answers(name, chosen), wrong)]
         verdicts = Counter(one.found.verdict.value for one in judged)
-        said = Counter(
+        diagnoses = Counter(
             next(words for words in one.list_sayings() if re.search(mistake.says, words) and words)
             for one in judged
             if one.is_right(mistake)
         )
-        failed += len(judged) - said.total() + (not judged)
+        failed += len(judged) - diagnoses.total() + (not judged)
         listed = ", ".join(f"{number} {verdict}" for verdict, number in verdicts.most_common())
-        words, _ = next(iter(said.most_common(1)), ("", 0))
+        words, _ = next(iter(diagnoses.most_common(1)), ("", 0))
         # The name comes before the description.
         click.echo(f"| {name} | {listed} | {words.partition(';')[0]} |")
     click.echo(f"\n{len(MISTAKES)} programs, {failed} answers misjudged.")

@@ -46,15 +46,15 @@ Place = tuple[Any, ...]
 
 CLASSES = "CC", "CM", "MM", "SS"
 BATCH = 200
-# Run by Python alone: proves a certificate a line, and prints how many it refuses.
+# Run by Python alone: proves one certificate per line, and prints the number of rejections.
 ALONE = """
 import runpy, sys
 checker, failed = runpy.run_path(sys.argv[1]), 0
 for line in open(sys.argv[2], encoding="utf-8"):
     try:
         checker["prove"](checker["load"](line))
-    except checker["Refused"] as refused:
-        print(refused, file=sys.stderr)
+    except checker["Refused"] as error:
+        print(error, file=sys.stderr)
         failed += 1
 print(failed)
 """
@@ -343,8 +343,8 @@ def main(
     if proved:
         drawn = list_corpus() if corpus else draw_classes(rng, pairs)
         count = failed = 0
-        for number, refused in prove_alone(drawn):
-            count, failed = count + number, failed + refused
+        for number, rejected in prove_alone(drawn):
+            count, failed = count + number, failed + rejected
             click.echo(f"{count - failed} of {count} proved", err=True)
         click.echo(f"{count - failed} of {count} proved")
         sys.exit(bool(failed))

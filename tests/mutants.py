@@ -96,16 +96,16 @@ def main(
             copy(ROOT / part, folder / part)
         (folder / "setup.cfg").write_text(settings)
         # Nothing has this name: mutants are made, and none is tried.
-        said = run_mutmut(folder, "run", "none")
+        output = run_mutmut(folder, "run", "none")
         every = sorted(read_results(run_mutmut(folder, "results", "--all", "true")))
         if not every:
-            raise click.ClickException(said)
+            raise click.ClickException(output)
         chosen = every if sample is None else Random(seed).sample(every, min(sample, len(every)))
-        said = run_mutmut(folder, "run", "--max-children", str(workers), *chosen)
+        output = run_mutmut(folder, "run", "--max-children", str(workers), *chosen)
         results = read_results(run_mutmut(folder, "results", "--all", "true"))
         statuses = Counter(results[mutant] for mutant in chosen)
         if not statuses.keys() - {"not checked"}:
-            raise click.ClickException(said)
+            raise click.ClickException(output)
         for mutant in chosen:
             if results[mutant] not in NOTICED:
                 click.echo(f"{results[mutant]}: {mutant}")

@@ -46,9 +46,9 @@ def test_every_family_of_shapes_agrees_with_the_definition(family: str) -> None:
     importlib.util.find_spec("pysfcgal") is None, reason="pysfcgal is not installed"
 )
 def test_another_program_agrees() -> None:
-    said = [failure for _, failure in campaign.by_sfcgal("small", 2, range(10))]
-    assert said.count("") > 5
-    assert all(failure.startswith("crashes") for failure in said if failure)
+    failures = [failure for _, failure in campaign.by_sfcgal("small", 2, range(10))]
+    assert failures.count("") > 5
+    assert all(failure.startswith("crashes") for failure in failures if failure)
 
 
 class Wrong(SimpleNamespace):

@@ -35,7 +35,7 @@ def replay(transcript: str) -> str:
     lines: list[str] = []
     for line in transcript.splitlines():
         if line.startswith("$ "):
-            lines += [line, *(f"{_INDENT}{said}".rstrip() for said in _run_line(line[2:]))]
+            lines += [line, *(f"{_INDENT}{output}".rstrip() for output in _run_line(line[2:]))]
         elif line and not line.startswith(_INDENT):
             lines += [*([""] if lines and lines[-1][:2] != "# " else []), line]
     return "".join(f"{line}\n" for line in lines)
@@ -68,6 +68,6 @@ def _run_line(line: str) -> Iterator[str]:
     if code == _WRONG_USAGE:
         # The lines before are click's.
         errors = errors[errors.index("Error: ") :]
-    yield from (f"! {said}" for said in errors.splitlines())
+    yield from (f"! {output}" for output in errors.splitlines())
     if code:
         yield f"= {code}"

@@ -290,17 +290,17 @@ def read_placed(
     if not files:
         return first, second, regions
     listing = find_parts(files, reading)
-    said = Remarks([], [])
+    remarks = Remarks([], [])
     others: list[Region] = []
     errors = [Fraction(0)]
     for part in listing.parts:
         # Skipping placed shapes that are not simple would permit overlaps.
         with prefix_errors(part.file):
-            shapes = part.candidate.named_regions(said)
+            shapes = part.candidate.named_regions(remarks)
         others += [one.region for one in shapes]
         errors += [one.error for one in shapes]
-    report_skipped(said.left_out)
-    print_notes(said.notes)
+    report_skipped(remarks.left_out)
+    print_notes(remarks.notes)
     keep_errors(max(errors))
     if listing.coordinates.y_down != coordinates_of_files().y_down:
         print_notes(

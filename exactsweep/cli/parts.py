@@ -46,18 +46,18 @@ def read_named(
     notes: list[str] = []
     with working("reading"):
         for part in listing.parts:
-            said = Remarks([], [])
+            remarks = Remarks([], [])
             try:
-                read = part.candidate.named_regions(said)
+                read = part.candidate.named_regions(remarks)
             except ValueError as error:
                 if whole or is_one:
                     raise FormatError(f"{part.file}: {error}") from None
-                said.left_out.append(str(error))
+                remarks.left_out.append(str(error))
                 read = []
             found += read
             names += [part.name] * len(read)
-            notes += [f"{part.file}: {note}" for note in said.notes]
-            reasons += [f"{part.file}: {reason}" for reason in said.left_out]
+            notes += [f"{part.file}: {note}" for note in remarks.notes]
+            reasons += [f"{part.file}: {reason}" for reason in remarks.left_out]
     if not found:
         raise FormatError(summarize(reasons))
     report_skipped(reasons)

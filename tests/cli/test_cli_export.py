@@ -75,10 +75,10 @@ def test_large_outputs_name_the_limit_for_reading_them(monkeypatch: pytest.Monke
     monkeypatch.setattr("exactsweep.cli.output.find_needed_mib", lambda size: size)
     sizes = []
     for options in (("--json",), ("--wkt",), ("--to", "csv"), ("--certificate",)):
-        said = run("sweep", *options).stderr
+        note = run("sweep", *options).stderr
         start = "standard output: large file; reading it requires --max-mib "
-        assert said.startswith(start)
-        sizes.append(int(said.removeprefix(start)))
+        assert note.startswith(start)
+        sizes.append(int(note.removeprefix(start)))
     assert len(set(sizes)) == 4
     assert run("sweep").stderr == ""
 

@@ -117,8 +117,8 @@ def test_usage_errors_suggest_a_remedy(arguments: tuple[str, ...], words: str) -
 def test_a_file_without_a_claim_is_not_a_certificate(tmp_path: Path) -> None:
     path = tmp_path / "house.json"
     path.write_text("[[0, 0], [1, 0], [0, 1]]")
-    said = "not a certificate; commands write one with --certificate"
-    assert refusal(run("verify", str(path))) == f"{path}: {said}"
+    message = "not a certificate; commands write one with --certificate"
+    assert refusal(run("verify", str(path))) == f"{path}: {message}"
 
 
 def test_a_path_is_the_second_summand(tmp_path: Path) -> None:

@@ -51,11 +51,11 @@ def test_notes_are_reported(nest: Path) -> None:
 
 def test_notes_of_several_files_are_reported(nest: Path) -> None:
     files = [str(nest / name) for name in ("drawn.json", "svgnest.svg")]
-    said = "without the instance, items are judged as the solution draws them, rounded"
+    note = "without the instance, items are judged as the solution draws them, rounded"
     done = run("layout", *files, "--workers", "1")
-    assert done.stdout.endswith(f"note: {files[0]}: {said}\n2 of 2 valid\n")
+    assert done.stdout.endswith(f"note: {files[0]}: {note}\n2 of 2 valid\n")
     found = json.loads(run("layout", *files, "--json").stdout)
-    assert [row["notes"] for row in found] == [[said], []]
+    assert [row["notes"] for row in found] == [[note], []]
 
 
 def test_several_sheets_are_read_from_standard_input(nest: Path) -> None:
@@ -99,8 +99,8 @@ def test_a_wrong_convention_is_named(tmp_path: Path) -> None:
     ]
     file = tmp_path / "ten.json"
     file.write_text(json.dumps(data), encoding="utf-8")
-    said = "note: with translations divided by 10, 0 of 5 faults remain\n"
-    assert said in run("layout", str(file)).stdout
+    note = "note: with translations divided by 10, 0 of 5 faults remain\n"
+    assert note in run("layout", str(file)).stdout
 
 
 def test_exit_codes_state_whether_layouts_are_valid(tmp_path: Path) -> None:

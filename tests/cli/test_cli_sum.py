@@ -100,8 +100,8 @@ def test_a_certificate_proves_the_boundary_of_a_sum(shape: str, tmp_path: Path) 
 def test_a_certificate_proves_a_sum_with_a_path(shape: str, tmp_path: Path) -> None:
     line = write(tmp_path, "l.wkt", "LINESTRING (0 0, 5 0, 5 5)")
     file = write(tmp_path, "c.json", run("sum", shape, line, "--certificate").stdout)
-    said = f"{file}: proved\nsum of 3 vertices and a path of 3 points: 6 vertices, no holes\n"
-    assert run("verify", file).stdout == said
+    output = f"{file}: proved\nsum of 3 vertices and a path of 3 points: 6 vertices, no holes\n"
+    assert run("verify", file).stdout == output
     assert run("verify", file, shape, line).exit_code == 0
     points = write(tmp_path, "p.json", json.dumps(POINTS))
     assert run("verify", file, shape, points).exit_code == 0

@@ -118,17 +118,17 @@ def test_commands_show_their_progress(
     monkeypatch.chdir(tmp_path)
     assert run(*PROVED).exit_code == 0
     Path("wrong.json").write_text(run("corpus", "layouts", "layouts-missing").stdout)
-    said: list[str] = []
+    shown: list[str] = []
 
     @contextmanager
     def listen(display: Status) -> Iterator[None]:
-        said.append(str(display.status))
-        monkeypatch.setattr(display, "update", said.append)
+        shown.append(str(display.status))
+        monkeypatch.setattr(display, "update", shown.append)
         yield
 
     monkeypatch.setattr(working, "_show_later", listen)
     code = run(*command).exit_code
-    assert said == []
+    assert shown == []
     monkeypatch.setattr(working, "_has_terminal", lambda: True)
     assert run(*command).exit_code == code
-    assert said[: len(words)] == words
+    assert shown[: len(words)] == words

@@ -174,8 +174,8 @@ def test_an_svg_has_real_text_a_title_and_a_size(tmp_path: Path) -> None:
     result = run("draw", "-o", str(path), "--title", title, "--size", "5", "4")
     assert (result.exit_code, result.output) == (0, "")
     root = ElementTree.fromstring(path.read_bytes())
-    said = {"".join(text.itertext()) for text in root.iter("{http://www.w3.org/2000/svg}text")}
-    assert {title, "trajectory, VE", "undercut"} <= said
+    texts = {"".join(text.itertext()) for text in root.iter("{http://www.w3.org/2000/svg}text")}
+    assert {title, "trajectory, VE", "undercut"} <= texts
     (width,) = re.findall(r"([\d.]+)pt", root.get("width", ""))
     wide = tmp_path / "wide.svg"
     run("draw", "-o", str(wide), "--size", "10", "8")

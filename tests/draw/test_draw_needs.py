@@ -42,14 +42,14 @@ def test_missing_and_broken_libraries_are_distinguished(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     monkeypatch.setitem(sys.modules, name, None)
-    with pytest.raises(error) as refused:
+    with pytest.raises(error) as caught:
         load()
-    assert str(refused.value) == missing
+    assert str(caught.value) == missing
     monkeypatch.delitem(sys.modules, name)
     # The loader's message if memory is short has several lines.
     text = 'raise ImportError("ft2font.so: failed to\\n map segment")\n'
     (tmp_path / f"{name}.py").write_text(text)
     monkeypatch.syspath_prepend(tmp_path)
-    with pytest.raises(error) as refused:
+    with pytest.raises(error) as caught:
         load()
-    assert str(refused.value) == broken
+    assert str(caught.value) == broken

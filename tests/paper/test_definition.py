@@ -131,7 +131,7 @@ def test_known_loops(g: Loop, d: Loop, trajectory: Loop, inner: Loop, outer: Loo
         pytest.param(
             [(0, 0), (3, 0), (3, 3), (2, 3), (2, 1), (1, 1), (1, 2), (0, 2)],
             [((1, 2), (1, 1))],
-            id="unequal walls: it hangs where the lower one ends",
+            id="unequal walls: the fit ends at the lower one",
         ),
         pytest.param(
             [(0, 0), (3, 0), (3, 3), (2, 3), (2, 2), (1, 1), (1, 3), (0, 3)],
@@ -186,8 +186,8 @@ def test_direction_is_respected() -> None:
             ValueError, match="the generatrix is not monotone in direction \\(1, 0\\)"
         ):
             evaluate(lying, UNIT)
-    ((hanging, inner),) = reference_exact_fits(UNIT, lying, (0, -2))
-    assert (hanging, inner) == (Point(Fraction(3), Fraction(1)), Point(Fraction(1), Fraction(1)))
+    ((start, inner),) = reference_exact_fits(UNIT, lying, (0, -2))
+    assert (start, inner) == (Point(Fraction(3), Fraction(1)), Point(Fraction(1), Fraction(1)))
 
 
 def test_a_zero_direction_is_rejected() -> None:
@@ -228,11 +228,11 @@ def test_trajectory_and_fits_agree_with_classify(pair: Pair, data: st.DataObject
     in_fit = any(on_segment(t, *fit) for fit in fits)
     expected = {-1: "FREE", 0: "CONTACT", 1: "CONTACT" if in_fit else "OVERLAP"}
     assert classify(d, g, t).verdict == expected[point_in_polygon(t, trajectory)]
-    for (x, hanging), (_, inner) in fits:
-        beyond = inner + (inner - hanging) / 1000
-        middle = (hanging + inner) / 2
-        little = abs(inner - hanging) / 1000
-        assert point_in_polygon((x, hanging), trajectory) == 0
+    for (x, start), (_, inner) in fits:
+        beyond = inner + (inner - start) / 1000
+        middle = (start + inner) / 2
+        little = abs(inner - start) / 1000
+        assert point_in_polygon((x, start), trajectory) == 0
         assert classify(d, g, (x, inner)).verdict == "CONTACT"
         assert classify(d, g, (x, middle)).verdict == "CONTACT"
         for aside in ((x, beyond), (x - little, middle), (x + little, middle)):

@@ -26,9 +26,9 @@ class Drawing:
 
     Attributes:
         name: with its ending.
-        areas: of its regions, in order; () if it is refused.
+        areas: of its regions, in order; () if it is rejected.
         options: at most two, with their values.
-        reason: the reason of the refusal, or the report of omissions.
+        reason: the reason for the rejection, or the report of omissions.
         content: describes the text.
     """
 

@@ -88,7 +88,7 @@ def is_true_layout(certificate: Certificate, _: object) -> bool:
     except LayoutError as error:
         if certificate["valid"] or not str(error).startswith("container"):
             return False
-        # The reader refuses a container that crosses itself. The checker takes it for the set with
+        # The reader rejects a container that crosses itself. The checker treats it as the set with
         # winding number 1, and faults between parts do not depend on it.
         room = [[str(x), str(y)] for x, y in ((0, 0), (1, 0), (1, 1), (0, 1))]
         others = [f for f in certificate["faults"] if -1 not in f.get("placements", ())]

@@ -36,20 +36,20 @@ def list_refusals(file: str) -> list[tuple[str, str]]:
     return _REFUSAL.findall(text)
 
 
-def find_refusal(call: str, said: str, names: Mapping[str, Any]) -> str:
+def find_refusal(call: str, message: str, names: Mapping[str, Any]) -> str:
     """Return the error of a call, or the given pattern if it matches."""
     found = "no error"
     try:
         eval(call, {**NAMES, **names})
     except ExactSweepError as error:
         found = f"{type(error).__name__}: {error}"
-    pattern = re.escape(said).replace(re.escape("..."), ".*")
-    return said if re.fullmatch(pattern, found) else found
+    pattern = re.escape(message).replace(re.escape("..."), ".*")
+    return message if re.fullmatch(pattern, found) else found
 
 
-def require_refused(call: str, said: str, **names: Any) -> None:
+def require_refused(call: str, message: str, **names: Any) -> None:
     """Require the listed error of a call."""
-    assert find_refusal(call, said, names) == said
+    assert find_refusal(call, message, names) == message
 
 
 def renew_errors(path: Path, names: Mapping[str, Any]) -> str:

@@ -97,7 +97,7 @@ def from_middle(ring: Ring) -> Ring:
 
 
 def hang(rings: Rings, fits: list[Fit]) -> Any:
-    """Trace each fit as a whisker of the ring that it touches, or as a ring of its own."""
+    """Trace each fit as a whisker of the ring that it touches, or as a separate ring."""
     if not fits:
         return None
     grown = [list(ring) for ring in rings]

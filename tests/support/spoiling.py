@@ -112,7 +112,7 @@ def add_generatrix(part: str) -> Change:
 
 
 def leave_open(case: Case, answer: Answer) -> Answer:
-    """The sum of the boundaries, where G has room inside D."""
+    """Return the sum of the boundaries if G fits inside D."""
     inside = inner_fit_polygon(case.directrix, case.generatrix, reference=case.reference)
     rings = (ring for region in inside.regions for ring in region.rings)
     return {**answer, "no_fit": [*answer["no_fit"], *rings]}

@@ -60,8 +60,8 @@ def test_stops_go_once_around_and_include_all_landmarks(pair: tuple[Polygon, Pol
     assert len(set(positions)) == len(positions)
     for undercut in s.undercuts:
         assert set(undercut.positions) <= set(positions)
-    for hanging, _ in s.exact_fits:
-        assert hanging in positions
+    for start, _ in s.exact_fits:
+        assert start in positions
 
 
 @examples(30)

@@ -16,7 +16,7 @@ PARTS = 1_000_000
 SQUARE = [(0, 0), (2, 0), (2, 2), (0, 2)]
 SLOT = [(0, 0), (3, 0), (3, 5), (2, 5), (2, 1), (1, 1), (1, 3), (0, 3)]
 WEDGE = [(0, 0), (3, 0), (5, 4), (6, 4), (6, -1), (-3, -1), (-3, 4), (-2, 4)]
-# Holes in which the square has room, just slides, and just fits.
+# Holes in which the square moves freely, slides, and fits exactly.
 PLATE = Region(
     [(0, 0), (20, 0), (20, 12), (0, 12)],
     [

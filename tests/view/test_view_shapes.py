@@ -13,7 +13,7 @@ from exactsweep import Polygon, Region, sweep
 from exactsweep.view.data import list_tracks, track_stops
 
 SQUARE = [(0, 0), (2, 0), (2, 2), (0, 2)]
-# Holes in which the square has room, just slides, and just fits.
+# Holes in which the square moves freely, slides, and fits exactly.
 PLATE = Region(
     [(0, 0), (20, 0), (20, 12), (0, 12)],
     [

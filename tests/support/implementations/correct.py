@@ -13,8 +13,8 @@ LOOPS = ["trajectory", "inner", "outer"]
 
 
 def hello(**changes: Any) -> dict[str, Any]:
-    said = {"hello": "correct", "loops": LOOPS, "numbers": "rational", "reference": "given"}
-    return {**said, **changes}
+    fields = {"hello": "correct", "loops": LOOPS, "numbers": "rational", "reference": "given"}
+    return {**fields, **changes}
 
 
 def answer(case: dict[str, Any]) -> dict[str, Any]:
