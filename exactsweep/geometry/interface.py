@@ -10,6 +10,7 @@ from collections.abc import Iterable, Sequence
 from fractions import Fraction
 from typing import Any
 
+from exactsweep.numbers.digits import is_float
 from exactsweep.numbers.number import Fit, Point, PointRings
 
 GeoJson = dict[str, Any]
@@ -61,8 +62,4 @@ def _plain(value: Fraction) -> int | float | Fraction:
     """Convert a Fraction to the int or float of the same value, if there is one."""
     if value.denominator == 1:
         return value.numerator
-    try:
-        found = value.numerator / value.denominator
-    except OverflowError:
-        return value
-    return found if found == value else value
+    return float(value) if is_float(value) else value

@@ -18,8 +18,10 @@ from exactsweep.geometry.interface import GeoJson, make_polygon
 from exactsweep.geometry.reading import read_point
 from exactsweep.geometry.turn import TURN_BITS, read_turn
 from exactsweep.geometry.vectors import is_on_segment
+from exactsweep.numbers.addition import add_up
+from exactsweep.numbers.digits import abridge
 from exactsweep.numbers.error import NumberError, explain_type_errors, quote
-from exactsweep.numbers.number import Point
+from exactsweep.numbers.number import Area, Point
 from exactsweep.words import write_pair, write_size
 
 if TYPE_CHECKING:
@@ -57,9 +59,9 @@ class PointSet:
     _edge_index: Sequence[int]
 
     @property
-    def rings(self) -> tuple[tuple[Point, ...], ...]:
-        """The vertices of each ring, the exterior first, all counter-clockwise."""
-        raise NotImplementedError
+    def rings(self: Any) -> tuple[tuple[Point, ...], ...]:
+        """The vertices of the exterior and of each hole, all counter-clockwise."""
+        return (self.exterior.vertices, *(hole.vertices for hole in self.holes))
 
     @property
     def vertices(self) -> tuple[Point, ...]:
@@ -67,9 +69,9 @@ class PointSet:
         return tuple(chain.from_iterable(self.rings))
 
     @property
-    def area(self) -> Fraction:
-        """The area."""
-        raise NotImplementedError
+    def area(self: Any) -> Fraction:
+        """The area of the exterior minus the areas of the holes."""
+        return Area(self.exterior.area - add_up(hole.area for hole in self.holes))
 
     @property
     def bounds(self) -> tuple[Fraction, Fraction, Fraction, Fraction]:
@@ -111,21 +113,24 @@ class PointSet:
     def _image(self, under: AffineMap) -> Self:
         raise NotImplementedError
 
-    def _facts(self) -> list[tuple[str, str]]:
-        """List the rows of the notebook table as pairs (name, text)."""
-        raise NotImplementedError
-
     def _repr_svg_(self) -> str:
         from exactsweep.canvas.svg import draw_rings
 
-        return draw_rings(self.rings, write_size(len(self.vertices), self.area))
+        return draw_rings(self.rings, write_size(len(self), self.area))
 
-    def _repr_html_(self) -> str:
+    def _repr_html_(self: Any) -> str:
         from exactsweep.canvas.svg import add_table
 
         low, high = map(write_pair, self.bounding_box)
-        count = "vertices", str(len(self.vertices))
-        return add_table(self._repr_svg_(), [count, *self._facts(), ("from", low), ("to", high)])
+        facts = [
+            ("vertices", str(len(self))),
+            ("holes", str(len(self.holes))),
+            ("area", abridge(self.area)),
+            ("convex", "yes" if self.is_convex else "no"),
+            ("from", low),
+            ("to", high),
+        ]
+        return add_table(self._repr_svg_(), facts)
 
     @explain_type_errors
     def plot(self, axes: Axes | None = None, **style: Any) -> Axes:

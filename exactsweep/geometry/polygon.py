@@ -120,11 +120,6 @@ class Polygon(PointSet):
         """No holes."""
         return ()
 
-    @property
-    def rings(self) -> tuple[tuple[Point, ...], ...]:
-        """The vertices, as the only ring."""
-        return (self.vertices,)
-
     def lattice(self) -> tuple[int, tuple[Vertex, ...]]:
         """Return `(scale, points)`, the polygon on the coarsest integer lattice that contains it.
 
@@ -240,9 +235,6 @@ class Polygon(PointSet):
     def __format__(self, spec: str) -> str:
         """Format all coordinates by a float format specifier, as in `f"{polygon:.3f}"`."""
         return " ".join(format(vertex, spec) for vertex in self.vertices) if spec else str(self)
-
-    def _facts(self) -> list[tuple[str, str]]:
-        return [("area", abridge(self.area)), ("convex", "yes" if self.is_convex else "no")]
 
 
 Sequence.register(Polygon)

@@ -15,10 +15,8 @@ from exactsweep.geometry.point_set import AffineMap, PointSet
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.geometry.reading import LATTICE_BITS, lcm_within, read_interface
 from exactsweep.geometry.vectors import cross, minus, touch
-from exactsweep.numbers.addition import add_up
-from exactsweep.numbers.digits import abridge
 from exactsweep.numbers.error import prefix_errors
-from exactsweep.numbers.number import Area, Point, Rational, Vertex, ratio
+from exactsweep.numbers.number import Rational, Vertex, ratio
 from exactsweep.words import write_pair
 
 Vertices = Polygon | Iterable[Iterable[object]]
@@ -105,11 +103,6 @@ class Region(PointSet):
     def __setattr__(self, name: str, value: object) -> None:
         raise AttributeError(f"a Region is immutable: {name} cannot be set")
 
-    @property
-    def rings(self) -> tuple[tuple[Point, ...], ...]:
-        """The vertices of the exterior and of each hole, all counter-clockwise."""
-        return (self.exterior.vertices, *(hole.vertices for hole in self.holes))
-
     def lattice(self) -> tuple[int, tuple[tuple[Vertex, ...], ...]]:
         """Return `(scale, rings)`, the region on the coarsest integer lattice that contains it.
 
@@ -121,11 +114,6 @@ class Region(PointSet):
         """
         scale, (rings,) = share_lattice([self], LATTICE_BITS)
         return scale, tuple(map(tuple, rings))
-
-    @property
-    def area(self) -> Fraction:
-        """The area of the exterior minus the areas of the holes."""
-        return Area(self.exterior.area - add_up(hole.area for hole in self.holes))
 
     @property
     def is_convex(self) -> bool:
@@ -157,9 +145,6 @@ class Region(PointSet):
 
     def __str__(self) -> str:
         return "; hole ".join(map(str, (self.exterior, *self.holes)))
-
-    def _facts(self) -> list[tuple[str, str]]:
-        return [("holes", str(len(self.holes))), ("area", abridge(self.area))]
 
 
 AnyPolygon = Polygon | Region

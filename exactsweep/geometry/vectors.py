@@ -3,15 +3,18 @@
 from collections.abc import Iterable
 from fractions import Fraction
 from functools import cmp_to_key
-from typing import TypeVar
+from typing import TypeVar, overload
 
 from exactsweep.numbers.number import Edge, Rational, Vertex
 
 P = TypeVar("P", bound=Vertex)
-R = TypeVar("R", int, int | Fraction)
 
 
-def minus(p: tuple[R, R], q: tuple[R, R]) -> tuple[R, R]:
+@overload
+def minus(p: tuple[int, int], q: tuple[int, int]) -> tuple[int, int]: ...
+@overload
+def minus(p: Vertex, q: Vertex) -> Vertex: ...
+def minus(p: Vertex, q: Vertex) -> Vertex:
     """Return the vector from q to p."""
     return p[0] - q[0], p[1] - q[1]
 
