@@ -34,7 +34,7 @@ _ZERO, _ONE = Fraction(0), Fraction(1)
 _QUARTERS = ((_ONE, _ZERO), (_ZERO, _ONE), (-_ONE, _ZERO), (_ZERO, -_ONE))
 
 # mpmath caches constants globally and updates each in two steps, which is not thread-safe.
-_mpmath_lock = Lock()
+mpmath_lock = Lock()
 
 
 class RationalTurn(NamedTuple):
@@ -68,8 +68,7 @@ class Turn:
         """
         if self.exact is not None:
             return RationalTurn(*self.exact, _ZERO)
-        assert self.degrees is not None
-        return find_rational_turn(self.degrees, bits)
+        return find_rational_turn(self.degrees or _ZERO, bits)
 
     @cached_property
     def _hash(self) -> int:
@@ -81,15 +80,14 @@ class Turn:
     def __str__(self) -> str:
         if self.degrees is not None:
             return f"{abridge(self.degrees)} degrees"
-        assert self.exact is not None
-        return f"the turn with cosine {abridge(self.exact[0])} and sine {abridge(self.exact[1])}"
+        cosine, sine = map(abridge, self.near()[:2])
+        return f"the turn with cosine {cosine} and sine {sine}"
 
     def to_json(self) -> str | list[str]:
         """Return the degrees as a string, or the cosine and the sine as a list of two."""
         if self.degrees is not None:
             return format_fraction(self.degrees)
-        assert self.exact is not None
-        return [format_fraction(part) for part in self.exact]
+        return [*map(format_fraction, self.near()[:2])]
 
 
 def read_turn(by: object) -> Turn:
@@ -164,7 +162,7 @@ def bound_half_tangent(degrees: Fraction, bits: int) -> tuple[Fraction, Fraction
     from mpmath.ctx_iv import MPIntervalContext
     from mpmath.libmp import to_rational
 
-    with _mpmath_lock:
+    with mpmath_lock:
         # `mpmath.iv` has one precision for all threads.
         iv = MPIntervalContext()
         iv.prec = bits + 64
@@ -175,15 +173,3 @@ def bound_half_tangent(degrees: Fraction, bits: int) -> tuple[Fraction, Fraction
         )
     assert 2**bits * (high - low) < 1
     return low, high
-
-
-def find_pi(bits: int) -> Fraction:
-    """Find pi, with an error of at most 2**-bits.
-
-    >>> abs(find_pi(20) - Fraction(355, 113)) < Fraction(1, 10**6)
-    True
-    """
-    from mpmath.libmp import mpf_pi, to_rational
-
-    with _mpmath_lock:
-        return Fraction(*map(int, to_rational(mpf_pi(bits + 3))))

@@ -9,7 +9,8 @@ import mpmath
 import pytest
 
 from exactsweep import Sweep, no_fit_polygon, sweep
-from exactsweep.geometry.turn import bound_half_tangent, find_pi
+from exactsweep.formats.curved.arc import find_pi
+from exactsweep.geometry.turn import bound_half_tangent
 
 HOOK = [(0, 0), (3, 0), (3, 3), (0, 3), (0, 2), (2, 2), (2, 1), (0, 1)]
 HOUSE = [(0, 0), (2, 0), (2, 1), (1, 2), (0, 1)]

@@ -11,7 +11,7 @@ from exactsweep.formats.curved.affine import Affine, make_affine
 from exactsweep.formats.curved.curves import Arc
 from exactsweep.formats.curved.path import Path
 from exactsweep.formats.error import FormatError
-from exactsweep.geometry.turn import bound_half_tangent, find_pi, from_half_tangent
+from exactsweep.geometry.turn import bound_half_tangent, from_half_tangent, mpmath_lock
 from exactsweep.numbers.number import Point
 
 _DIGITS, _GUARD = 101, 20
@@ -71,3 +71,15 @@ def to_degrees(radians: Fraction) -> Fraction:
         if degrees % 90 or not radians:
             return degrees
         digits *= 2
+
+
+def find_pi(bits: int) -> Fraction:
+    """Find pi, with an error of at most 2**-bits.
+
+    >>> abs(find_pi(20) - Fraction(355, 113)) < Fraction(1, 10**6)
+    True
+    """
+    from mpmath.libmp import mpf_pi, to_rational
+
+    with mpmath_lock:
+        return Fraction(*map(int, to_rational(mpf_pi(bits + 3))))
