@@ -133,8 +133,7 @@ class _Finder:
             return [[(k, _WHOLE) for k in near if is_on_border(self._sides(k), edge.start)]]
         found: list[list[tuple[int, Interval]]] = [[], []]
         (dx, dy) = edge.direction
-        planes = [k for k in self._beyond if k in near]
-        for k in (*planes, *self._sums.find_parallel(near, edge)):
+        for k in near:
             for side in self._sides(k):
                 if is_along(edge, side) and (span := intersect(edge, side)):
                     is_left = dx * side.direction[0] + dy * side.direction[1] > 0

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections import defaultdict
 from collections.abc import Iterable, Iterator, Sequence
 from itertools import chain, pairwise
 
@@ -36,7 +35,6 @@ class Sums:
         self._size = max(max(xs) - min(xs), max(ys) - min(ys)) + 1
         self._columns = len(second)
         self._pieces = [[_from_lowest(ring) for ring in shape] for shape in (first, second)]
-        self._parallel = [_by_direction(pieces) for pieces in self._pieces]
         boxes, others = (list(map(self.bound, shape)) for shape in (first, second))
         self.boxes = [
             (left + west, right + east, low + south, high + north)
@@ -70,13 +68,6 @@ class Sums:
             found = self._sides[k] = _add(self._pieces[0][i], self._pieces[1][j])
         return found
 
-    def find_parallel(self, near: Iterable[int], side: DirectedSegment) -> list[int]:
-        """Return those of the numbered sums that have a side parallel to a segment."""
-        direction, columns = _undirected(side), self._columns
-        rows, others = (of.get(direction, set()) for of in self._parallel)
-        numbers = (k for k in near if k < self.count)
-        return [k for k in numbers if k % columns in others or k // columns in rows]
-
     def measure(self, k: int) -> int:
         """Return the area of the box of a sum."""
         left, right, low, high = self.boxes[k]
@@ -85,20 +76,6 @@ class Sums:
     def find_near(self, box: CellBox) -> Iterator[int]:
         """Yield the numbers of the sums whose boxes touch a box."""
         return self._rows.find(self._orient(box))
-
-
-def _undirected(side: DirectedSegment) -> tuple[int, int]:
-    dx, dy = side.direction
-    return max((dx, dy), (-dx, -dy))
-
-
-def _by_direction(pieces: list[list[DirectedSegment]]) -> dict[tuple[int, int], set[int]]:
-    """Group the numbers of pieces by the directions of their sides."""
-    found: dict[tuple[int, int], set[int]] = defaultdict(set)
-    for k, sides in enumerate(pieces):
-        for side in sides:
-            found[_undirected(side)].add(k)
-    return found
 
 
 def _from_lowest(ring: Sequence[Node]) -> list[DirectedSegment]:

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import sys
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from contextlib import suppress
 from itertools import chain
 from math import gcd, lcm
 from typing import Any, cast
@@ -15,6 +14,7 @@ from exactsweep.numbers.error import NumberError, quote
 from exactsweep.numbers.number import Point, Vertex, to_fraction
 
 LATTICE_BITS = 8192
+_TWO_INTS = [int, int]
 _PACKAGE = "exactsweep."
 _GEOJSON = {"type", "geometry", "coordinates"}
 _HINTS = {
@@ -106,29 +106,24 @@ def read_vertices(vertices: Iterable[Iterable[object]]) -> Lattice:
     """
     if isinstance(vertices, (set, frozenset)):
         raise PolygonError("the vertices are a set, which has no order")
-    if isinstance(vertices, (str, bytes, Mapping)) and read_interface(vertices) is None:
-        raise PolygonError(
-            f"{type(vertices).__name__} is not a sequence of vertices; in exactsweep.formats, "
-            "from_wkt reads WKT, and parse_region reads JSON, GeoJSON and other texts"
-        )
     rings = read_interface(vertices)
     if rings is not None:
         if len(rings) > 1:
             raise PolygonError("the polygon has holes; use a Region")
         (vertices,) = rings
+    elif isinstance(vertices, (str, bytes, Mapping)):
+        raise PolygonError(
+            f"{type(vertices).__name__} is not a sequence of vertices; in exactsweep.formats, "
+            "from_wkt reads WKT, and parse_region reads JSON, GeoJSON and other texts"
+        )
     try:
         pairs = iter(vertices)
     except TypeError:
         raise PolygonError(f"{type(vertices).__name__} is not a sequence of vertices") from None
-    rows = list(pairs)
-    if all(type(row) in (tuple, list) and len(row) == 2 for row in rows):  # type: ignore[arg-type]
-        if all(type(x) is int and type(y) is int for x, y in rows):
-            return 1, cast(Sequence[Vertex], [*map(tuple, rows)])
-        # Errors name the vertex below.
-        with suppress(NumberError):
-            return to_lattice([Point(to_fraction(x), to_fraction(y)) for x, y in rows])
-    points = [read_point(pair, f"vertex {i}") for i, pair in enumerate(rows)]
-    return to_lattice(points)
+    rows: list[Any] = list(pairs)
+    if all(type(row) in (tuple, list) and [*map(type, row)] == _TWO_INTS for row in rows):
+        return 1, [*map(tuple, rows)]
+    return to_lattice([read_point(pair, f"vertex {i}") for i, pair in enumerate(rows)])
 
 
 def to_lattice(points: Sequence[Point]) -> Lattice:
