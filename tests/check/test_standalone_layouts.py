@@ -108,6 +108,14 @@ VALID = {
         ),
         "parts[0]: no pieces",
     ),
+    "pieces of no body": (
+        having("proof", "pieces", to=lambda pieces: [*pieces, []]),
+        "proof.pieces: not a list of 2 entries",
+    ),
+    "a rotation of no placement": (
+        having("turns", to=lambda turns: [*turns, ["1", "0"]]),
+        "turns: not one for each placement",
+    ),
     "a normal without a piece": (
         having("proof", "apart", to=[[0, 1, 0, "1", "0"]]),
         "apart[0]: not a list of 6 entries",
