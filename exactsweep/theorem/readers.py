@@ -13,7 +13,6 @@ from typing import Any
 
 from exactsweep.check.standalone import SHAPE, number, place, point, read, ring, rings_of
 from exactsweep.geometry.convex import cut_to_convex
-from exactsweep.theorem.terms import Number
 
 RationalPoint = tuple[Fraction, Fraction]
 RationalRing = list[RationalPoint]
@@ -44,14 +43,9 @@ def read_pieces(items: Any) -> list[RationalRing]:
     return [[*map(place, ring("piece", points))] for points in items or []]
 
 
-def read_part_pieces(parts: Any, items: Any) -> list[list[RationalRing]]:
-    """Read the pieces of each part."""
-    return [*map(read_pieces, items[: len(parts)])]
-
-
-def read_other_pieces(parts: Any, items: Any) -> list[list[RationalRing]]:
-    """Read the pieces outside the container, and those of each defect."""
-    return [*map(read_pieces, items[len(parts) :])]
+def read_all_pieces(items: Any) -> list[list[RationalRing]]:
+    """Read the pieces of each body."""
+    return [*map(read_pieces, items)]
 
 
 def read_path(item: Any) -> RationalRing:
@@ -71,7 +65,7 @@ def read_regions(items: Any) -> list[Any]:
 
 def read_sums(items: Any) -> list[Any]:
     """Read the listed sums."""
-    return [(Number(k), chains) for k, chains in items]
+    return [*map(tuple, items)]
 
 
 def read_frame(item: Any) -> tuple[Fraction, ...]:

@@ -6,7 +6,7 @@ Import ListNotations.
 
 Notation ring := Statements.ring.
 Notation segment := (Statements.point * Statements.point)%type.
-Notation listed := (list (nat * list (list Z))).      (* sums: the number of each, and chains of its sides *)
+Notation listed := (list (Z * list (list Z))).      (* sums: the number of each, and chains of its sides *)
 
 (* The least common multiple of denominators *)
 Definition join (D : Z) (q : Q) : Z := let d := QDen (Qred q) in if (D mod d =? 0)%Z then D else Z.lcm D d.
@@ -62,20 +62,21 @@ Theorem sum_accepted G path exterior holes slits moving sums t :
   accept_sum G path exterior holes slits moving sums t = true -> Statements.path_sum G path exterior holes slits.
 Proof. apply path_sum_sound. Qed.
 
-(* Layouts: pieces of parts; of the outside of the sheet, within the frame, followed by those of obstacles.  Those of a
-   placement are moved like it. *)
+(* Layouts: pieces of parts, of the outside of the sheet, within the frame, and of obstacles.  Those of a placement are moved
+   like it. *)
 Definition numbers_of (f : Statements.figure) : list Q :=
   Statements.error f :: map snd (Statements.rounded f) ++ coordinates (Statements.outline f ++ map fst (Statements.rounded f)).
-Definition layout_evidence (l : Statements.layout) (kinds outside : list (list ring)) (frame : Q * Q * Q * Q) : certificate :=
+Definition layout_evidence (l : Statements.layout) (pieces : list (list ring)) (frame : Q * Q * Q * Q) : certificate :=
+  let n := length (Statements.kinds l) in let kinds := firstn n pieces in let others := skipn n pieces in
   let moved := map (fun x => Statements.place (Statements.by_motion x) (nth (Statements.kind x) kinds [])) (Statements.placements l) in
   let figures := map Statements.form (Statements.kinds l) ++ map (Statements.placed l) (Statements.placements l) ++ map fst (Statements.obstacles l)
     ++ match Statements.sheet l with Some f => [f] | None => [] end in
   let '(a, b, c, d) := frame in
-  let N := common (flat_map numbers_of figures ++ coordinates (concat (moved ++ kinds ++ outside))
+  let N := common (flat_map numbers_of figures ++ coordinates (concat (moved ++ pieces))
     ++ Statements.spacing l :: Statements.margin l :: map snd (Statements.obstacles l) ++ [a; b; c; d]) in
   let cut := map (int_rings (Zpos N)) in
-  {| Layout.denominator := N; Layout.part_pieces := cut moved; Layout.kind_pieces := cut kinds; Layout.obstacle_pieces := cut (tl outside);
-     Layout.outside_pieces := int_rings (Zpos N) (hd [] outside); Layout.frame := quadruple N frame |}.
+  {| Layout.denominator := N; Layout.part_pieces := cut moved; Layout.kind_pieces := cut kinds; Layout.obstacle_pieces := cut (tl others);
+     Layout.outside_pieces := int_rings (Zpos N) (hd [] others); Layout.frame := quadruple N frame |}.
 
 (* The normals of a layout: an entry for two pieces, else one for two solids as a whole *)
 Definition entry := (Z * Z * Z * Z * Statements.point)%type.
@@ -88,10 +89,10 @@ Definition lookup (es : list entry) (a : Z) (i b j : nat) : pt :=
   | Some e, _ | None, Some e => whole (snd e)
   | None, None => (0, 0)%Z
   end.
-Definition accept_by (normal : Z -> nat -> nat -> nat -> pt) l kinds outside frame : bool :=
-  check_layout (fun a => normal (Z.of_nat a)) normal l (layout_evidence l kinds outside frame).
-Definition accept_layout l kinds outside frame entries : bool := accept_by (lookup entries) l kinds outside frame.
-Theorem layout_accepted l kinds outside frame entries : accept_layout l kinds outside frame entries = true -> Statements.valid l.
+Definition accept_by (normal : Z -> nat -> nat -> nat -> pt) l pieces frame : bool :=
+  check_layout (fun a => normal (Z.of_nat a)) normal l (layout_evidence l pieces frame).
+Definition accept_layout l pieces frame entries : bool := accept_by (lookup entries) l pieces frame.
+Theorem layout_accepted l pieces frame entries : accept_layout l pieces frame entries = true -> Statements.valid l.
 Proof. apply layout_sound. Qed.
 
 Definition accept_faults := check_faults.

@@ -65,7 +65,7 @@ Proof. vm_compute. reflexivity. Qed.
 (* The no-fit polygon of two unit squares: one sum, each side along one edge of the loop *)
 Definition loop : Statements.ring := [(-1 # 1, -1 # 1); (1, -1 # 1); (1, 1); (-1 # 1, 1)]%Q.
 Definition no_fit_evidence : no_fit_certificate :=
-  {| unit := 1; NoFit.still := [unit_square]; moving := [unit_square]; listed_sums := [(0%nat, [[-1]; [-2]; [-3]; [-4]])] |}.
+  {| unit := 1; NoFit.still := [unit_square]; moving := [unit_square]; listed_sums := [(0, [[-1]; [-2]; [-3]; [-4]])] |}.
 Example no_fit_square : Statements.no_fit_claim [square] [square] [loop] [].
 Proof. apply (no_fit_sound _ _ _ _ no_fit_evidence). vm_compute. reflexivity. Qed.
 

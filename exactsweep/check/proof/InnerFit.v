@@ -9,7 +9,7 @@ Open Scope Q_scope.
 
 Record inner_fit_certificate := {
   unit : positive; box : Z * Z * Z * Z;            (* the frame: left, bottom, right, top *)
-  outside : list ring; part : list ring; listed_sums : list (nat * list (list Z)); around : list (list Z) }.
+  outside : list ring; part : list ring; listed_sums : list (Z * list (list Z)); around : list (list Z) }.
 
 (* The edges of a reversed ring are the reversed edges. *)
 Definition swap (e : side) : side := (snd e, fst e).

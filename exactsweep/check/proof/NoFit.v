@@ -9,7 +9,7 @@ Open Scope Q_scope.
 (* The evidence: integer pieces of both shapes at a common denominator, and the listed sums, each with its
    number, i n + j for the pieces i and j, and a chain for each of its sides. *)
 Record no_fit_certificate := {
-  unit : positive; still : list ring; moving : list ring; listed_sums : list (nat * list (list Z)) }.
+  unit : positive; still : list ring; moving : list ring; listed_sums : list (Z * list (list Z)) }.
 
 Section Data.
 Variables (D G loops : list Statements.ring) (fits : list side) (c : no_fit_certificate).

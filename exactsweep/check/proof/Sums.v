@@ -1,8 +1,8 @@
 (* Sums of pieces, and `boundary`, the check for no-fit polygons, inner fits and sweeps. D is a list of convex pieces
    or segments, H a list of convex pieces; a sum is the interior of the Minkowski sum of one of D and one of H. Vertices
    are integers, at a common denominator N. *)
-Require Import QArith Lqa ZArith Lia List Bool.
-From Exactsweep Require Import Cancel Constant Fans Pieces Convex Solid Gaps Scaling.
+Require Import QArith Lqa ZArith Lia List Bool FMapPositive.
+From Exactsweep Require Import Cancel Constant Fans Pieces Convex Solid Gaps Boxes Scaling.
 From Exactsweep Require Statements.
 From Exactsweep Require Import HalfOpen Nearby Boundary SumPoints PiecePoints Covers Spans.
 Import ListNotations.
@@ -50,13 +50,15 @@ Definition left_of (z : pt) (f : edge) : bool := 0 <? det (grow 3 (fst f)) (grow
 
 (* A line separates a sum from a segment. *)
 Definition most (n : pt) (r : ring) : Z := match r with v :: vs => max_dot n v vs | [] => 0 end.
-Definition bound (one other : ring) (n : pt) : pt * Z := (n, most n one + most n other).
-Definition bounds (one other : ring) : list (pt * Z) :=
-  map (bound one other) (axes ++ map normal (edges one) ++ map normal (edges other)).
-Definition is_beyond (e : edge) (x : pt * Z) : bool :=
-  let (n, m) := x in negb (same n (0, 0)) && (m <=? dot n (fst e)) && (m <=? dot n (snd e)).
-Definition clear (one other : ring) (found : list (pt * Z)) (e : edge) : bool :=
-  if some (is_beyond e) found then true else some (fun n => is_beyond e (bound one other n)) [normal e; opposite (normal e)].
+Definition bound (one other : ring) (n : pt) : Z := most n one + most n other.
+Definition is_beyond (one other : ring) (e : edge) (n : pt) : bool :=
+  if same n (0, 0) then false else let m := bound one other n in (m <=? dot n (fst e)) && (m <=? dot n (snd e)).
+Definition clear (one other : ring) (normals : list pt) (e : edge) : bool :=
+  some (is_beyond one other e) (normals ++ [normal e; opposite (normal e)]).
+Definition is_box_beyond (b c : extremes) : bool :=
+  let '(r, u, l, d) := b in let '(x, y, z, w) := c in if r <=? x then true else if u <=? y then true else if l <=? z then true else d <=? w.
+Definition box_of (one other : ring) : extremes :=
+  let m := bound one other in (m (1, 0), m (0, 1), m (-1, 0), m (0, -1)).
 
 (* Two edges of loops have at most one common point. *)
 Definition distinct (e g : edge) : bool :=
@@ -94,12 +96,19 @@ Definition along (e f : edge) (left : bool) : list span :=
   if (det (fst e) (snd e) (fst f) =? 0) && (det (fst e) (snd e) (snd f) =? 0) && negb (same (fst f) (snd f)) &&
      Bool.eqb (Bool.eqb (rightwards e) (rightwards f)) left
   then match share e f with Some (s, t) => [(s, t, true)] | None => [] end else [].
-Definition names (k : nat) (chain : list Z) : bool := existsb (Z.eqb (-1 - Z.of_nat k)) chain.
-Definition beside (named : list (edge * list Z)) (k : nat) (e : edge) (left : bool) : bool :=
-  covers (flat_map (fun x => if names k (snd x) then along e (fst x) left else []) named).
-Definition on_side (named : list (edge * list Z)) (k : nat) (e : edge) : bool :=
-  existsb (fun x => names k (snd x) && match share (fst x) e with Some (s, t) => Qle_bool 0 s && Qle_bool s 1 | None => false end &&
-    negb (same (fst (fst x)) (snd (fst x)))) named.
+Definition beside (left : bool) (sides : list edge) (e : edge) : bool := covers (flat_map (fun f => along e f left) sides).
+Definition on_side (sides : list edge) (e : edge) : bool :=
+  existsb (fun f => match share f e with Some (s, t) => Qle_bool 0 s && Qle_bool s 1 | None => false end && negb (same (fst f) (snd f))) sides.
+
+(* The sides that name a known edge; edges have numbers from 1 on. *)
+Definition table := PositiveMap.t (list edge).
+Definition sides_at (m : table) (k : positive) : list edge := match PositiveMap.find k m with Some l => l | None => [] end.
+Definition add_side (f : edge) (n : Z) (m : table) : table :=
+  if n <? 0 then let k := Z.to_pos (- n) in PositiveMap.add k (f :: sides_at m k) m else m.
+Definition by_edge (named : list (edge * list Z)) : table :=
+  fold_right (fun x m => fold_right (add_side (fst x)) m (snd x)) (PositiveMap.empty _) named.
+Fixpoint all_sided (f : list edge -> edge -> bool) (m : table) (k : positive) (es : list edge) : bool :=
+  match es with [] => true | e :: r => f (sides_at m k) e && all_sided f m (Pos.succ k) r end.
 
 Fixpoint zip_all {A B} (f : A -> B -> bool) (l : list A) (m : list B) : bool :=
   match l, m with [], [] => true | a :: l', b :: m' => f a b && zip_all f l' m' | _, _ => false end.
@@ -108,34 +117,39 @@ Section Check.
 (* Loops, oriented with the sums on the left, and fits; the listed sums, each by its number and the chains of its
    sides; open half-planes right of edges, which count as listed, with one chain each. *)
 Variables (ds hs : list ring) (beyond : list edge) (loops : list ring) (fits : list edge)
-  (listed : list (nat * list (list Z))) (around : list (list Z)) (wanted : Z).
+  (listed : list (Z * list (list Z))) (around : list (list Z)) (wanted : Z).
 Definition loop_edges : list edge := flat_map edges loops.
 Definition known : list edge := loop_edges ++ fits.
-Definition pair_of (k : nat) : ring * ring := (nth (k / length hs) ds [], nth (k mod length hs) hs []).
-Definition sides_of (k : nat) : list edge := let (one, other) := pair_of k in sum_sides one other.
+Definition columns : Z := Z.of_nat (length hs).
+Definition pair_of (k : Z) : ring * ring := (nth (Z.to_nat (k / columns)) ds [], nth (Z.to_nat (k mod columns)) hs []).
+Definition sides_of (k : Z) : list edge := let (one, other) := pair_of k in sum_sides one other.
 Definition polygons : list (list edge) := map (fun x => sides_of (fst x)) listed ++ map (fun f => [f]) beyond.
 Definition chains : list (list (list Z)) := map snd listed ++ map (fun c => [c]) around.
 Definition named : list (edge * list Z) := flat_map (fun x => combine (fst x) (snd x)) (combine polygons chains).
 
 (* (a) of a pair of pieces, and (d) of pieces of each group.  Along a segment, pieces with a common vertex may be apart. *)
-Definition is_clear (one other : ring) : bool := let found := bounds one other in forallb (clear one other found) known.
+Definition is_clear (trees : list tree) (one other : ring) : bool :=
+  let normals := axes ++ map normal (edges one) ++ map normal (edges other) in
+  forallb (all_in (is_box_beyond (box_of one other)) (clear one other normals)) trees.
+Definition all_clear : bool := let trees := trees_of known in forallb (fun one => forallb (is_clear trees one) hs) ds.
 Definition winds (es : list edge) (one other : ring) : bool := wind es (plus (center one) (center other)) =? wanted.
 Definition wind_all : bool :=
   let es := map (grow_edge 3) loop_edges in let inner := if are_segments ds then hs else map fst (groups hs) in
   forallb (fun g => forallb (winds es (fst g)) inner) (groups ds).
-Definition is_sum (k : nat) : bool :=
+Definition is_sum (k : Z) : bool :=
   let (one, other) := pair_of k in
-  (k <? length ds * length hs)%nat && is_convex (sum_vertices one other) && forallb (left_of (plus (center one) (center other))) (sides_of k).
+  (0 <=? k) && (k <? Z.of_nat (length ds) * columns) && is_convex (sum_vertices one other) && forallb (left_of (plus (center one) (center other))) (sides_of k).
 Definition boundary : bool :=
   forallb (fun e => negb (same (fst e) (snd e))) loop_edges && all_pairs distinct loop_edges &&
-  forallb (fun one => forallb (is_clear one) hs) ds && wind_all &&
+  all_clear && wind_all &&
   forallb (fun f => forallb (fun e => (det (fst f) (snd f) (fst e) <=? 0) && (det (fst f) (snd f) (snd e) <=? 0)) known) beyond &&
   forallb (fun x => is_sum (fst x)) listed &&
   (length around =? length beyond)%nat &&
-  zip_all (zip_all (fun f chain => negb (same (fst f) (snd f)) && covers (spans_of polygons known f chain))) polygons chains &&
-  zip_all (fun k e => beside named k e true) (seq 0 (length loop_edges)) loop_edges &&
-  zip_all (fun k e => if same (fst e) (snd e) then on_side named k e else beside named k e true && beside named k e false)
-    (seq (length loop_edges) (length fits)) fits.
+  let ps := polygons in let es := known in
+  zip_all (zip_all (fun f chain => negb (same (fst f) (snd f)) && covers (spans_of ps es f chain))) ps chains &&
+  let m := by_edge named in all_sided (beside true) m 1 loop_edges &&
+  all_sided (fun sides e => if same (fst e) (snd e) then on_side sides e else beside true sides e && beside false sides e)
+    m (Pos.of_succ_nat (length loop_edges)) fits.
 End Check.
 
 (* 2. Properties *)
@@ -219,13 +233,24 @@ Proof.
   apply andb_prop in H as (H1 & H2). intros c [<-|I]; [exists b; split; [left; reflexivity|exact H1]|].
   destruct (IH m H2 c I) as (d & D & F). exists d. split; [right; exact D|exact F].
 Qed.
-Lemma zip_seq {B} (f : nat -> B -> bool) (m : list B) : forall k, zip_all f (seq k (length m)) m = true ->
-  forall i e, nth_error m i = Some e -> f (k + i)%nat e = true.
+Lemma add_side_in f n m k g : In g (sides_at (add_side f n m) k) -> g = f \/ In g (sides_at m k).
 Proof.
-  induction m as [|b m IH]; intros k H i e E; [destruct i; discriminate|]. cbn [length seq zip_all] in H.
-  apply andb_prop in H as (H1 & H2). destruct i as [|i]; cbn [nth_error] in E.
-  - injection E as <-. rewrite Nat.add_0_r. exact H1.
-  - rewrite Nat.add_succ_r. exact (IH (S k) H2 i e E).
+  unfold add_side. destruct (n <? 0); [|auto]. unfold sides_at. destruct (Pos.eq_dec k (Z.to_pos (- n))) as [->|N].
+  - rewrite PositiveMap.gss. intros [<-|I]; auto.
+  - rewrite PositiveMap.gso by exact N. auto.
+Qed.
+Lemma by_edge_in named k f : In f (sides_at (by_edge named) k) -> exists c, In (f, c) named.
+Proof.
+  induction named as [|(g, c) r IH]; cbn [by_edge fold_right fst snd].
+  - unfold sides_at. rewrite PositiveMap.gempty. intros [].
+  - intro I. assert (J : f = g \/ In f (sides_at (by_edge r) k)).
+    { revert I. generalize c. clear. intro l. induction l as [|n l IH]; cbn [fold_right]; [auto|]. intro I. apply add_side_in in I as [I|I]; auto. }
+    destruct J as [->|J]; [exists c; left; reflexivity|]. destruct (IH J) as (c' & I'). exists c'. right. exact I'.
+Qed.
+Lemma all_sided_spec f m es : forall k, all_sided f m k es = true -> forall e, In e es -> exists k', f (sides_at m k') e = true.
+Proof.
+  induction es as [|a es IH]; intros k H e; [intros []|]. cbn [all_sided] in H. apply andb_prop in H as (H1 & H2).
+  intros [<-|I]; [exists k; exact H1|exact (IH _ H2 e I)].
 Qed.
 
 Open Scope Q_scope.

@@ -1,6 +1,6 @@
 (* Soundness of `boundary`: the loops and fits are the boundary of the union of all sums. *)
 Require Import QArith Lqa ZArith Lia List Bool.
-From Exactsweep Require Import Cancel Constant Fans Pieces Convex Solid Gaps Scaling.
+From Exactsweep Require Import Cancel Constant Fans Pieces Convex Solid Gaps Boxes Scaling.
 From Exactsweep Require Statements.
 From Exactsweep Require Import HalfOpen Nearby Boundary SumPoints PiecePoints Covers Spans Sums.
 Import ListNotations.
@@ -11,7 +11,7 @@ Proof. unfold rings_at. induction loops as [|r l IH]; constructor; [apply qring_
 
 Section Accepted.
 Variables (N : positive) (ds hs : list ring) (beyond : list edge) (loops : list ring) (fits : list edge)
-  (listed : list (nat * list (list Z))) (around : list (list Z)) (wanted : Z).
+  (listed : list (Z * list (list Z))) (around : list (list Z)) (wanted : Z).
 (* The sum of two pieces as a set: its properties used here *)
 Variable at_sum : ring -> ring -> qpoint -> Prop.
 Notation qe := (qe N).
@@ -39,27 +39,32 @@ Definition on_known (t : qpoint) : Prop := Statements.on_any (map qe known) t.
 
 Hypothesis Edges : forall e, In e loop_edges -> fst e <> snd e.
 Hypothesis Distinct : all_pairs distinct loop_edges = true.
-Hypothesis Clear : forall P Q, In P ds -> In Q hs -> is_clear loops fits P Q = true.
+Hypothesis Clear : all_clear ds hs loops fits = true.
 Hypothesis Winds : wind_all ds hs loops wanted = true.
 Hypothesis Outside : forall f e, In f beyond -> In e known -> (det (fst f) (snd f) (fst e) <= 0 /\ det (fst f) (snd f) (snd e) <= 0)%Z.
 Hypothesis Sums_ : forall x, In x listed -> is_sum ds hs (fst x) = true.
 Hypothesis Chains : zip_all (zip_all (fun f chain => negb (same (fst f) (snd f)) && covers (spans_of polygons known f chain))) polygons chains = true.
-Hypothesis Beside : forall k e, nth_error loop_edges k = Some e -> beside named k e true = true.
-Hypothesis Fits : forall k e, nth_error fits k = Some e -> exists i,
-  (if same (fst e) (snd e) then on_side named i e else beside named i e true && beside named i e false) = true.
+Notation sides := (sides_at (by_edge named)).
+Hypothesis Beside : forall e, In e loop_edges -> exists k, beside true (sides k) e = true.
+Hypothesis Fits : forall e, In e fits -> exists k,
+  (if same (fst e) (snd e) then on_side (sides k) e else beside true (sides k) e && beside false (sides k) e) = true.
 
 (* (a) *)
 Lemma clear_bound P Q e : In P ds -> In Q hs -> In e known -> exists n m,
   (forall t, at_sum P Q t -> qdot n t * inject_Z (Zpos N) < inject_Z m) /\ (m <= dot n (fst e))%Z /\ (m <= dot n (snd e))%Z.
 Proof.
-  intros IP IQ I. pose proof (Clear P Q IP IQ) as H. unfold is_clear in H. cbv zeta in H.
-  rewrite forallb_forall in H. specialize (H e I). unfold clear in H.
-  assert (G : exists n, is_beyond e (bound P Q n) = true).
-  { destruct (some (is_beyond e) (bounds P Q)) eqn:B.
-    - apply some_exists in B as (x & X & B). unfold bounds in X. apply in_map_iff in X as (n & <- & _). exists n. exact B.
-    - apply some_exists in H as (n & _ & H). exists n. exact H. }
-  destruct G as (n & G). unfold is_beyond, bound in G. apply andb_prop in G as (G & G2). apply andb_prop in G as (G0 & G1).
-  apply same_not in G0. apply Z.leb_le in G1, G2. exists n, (most n P + most n Q)%Z. split; [|split; assumption].
+  intros IP IQ I. pose proof Clear as H. unfold all_clear in H. cbv zeta in H. rewrite forallb_forall in H. specialize (H P IP).
+  rewrite forallb_forall in H. specialize (H Q IQ). unfold is_clear in H. cbv zeta in H.
+  assert (G : exists n, n <> (0, 0)%Z /\ (bound P Q n <= dot n (fst e))%Z /\ (bound P Q n <= dot n (snd e))%Z).
+  { destruct (trees_all _ _ known H e I) as [C|(b & S & W)].
+    - unfold clear in C. apply some_exists in C as (n & _ & C). unfold is_beyond in C. destruct (same n (0, 0)%Z) eqn:Z; [discriminate|].
+      cbv zeta in C. apply andb_prop in C as (C1 & C2). apply Z.leb_le in C1, C2. exists n. split; [intro X; apply same_spec in X; congruence|auto].
+    - unfold is_box_beyond, box_of in S. destruct b as (((x, y), u), v). pose proof (W (fst e) (or_introl eq_refl)) as W1.
+      pose proof (W (snd e) (or_intror eq_refl)) as W2.
+      destruct (Z.leb_spec (bound P Q (1, 0)%Z) x); [exists (1, 0)%Z|destruct (Z.leb_spec (bound P Q (0, 1)%Z) y);
+        [exists (0, 1)%Z|destruct (Z.leb_spec (bound P Q (-1, 0)%Z) u); [exists (-1, 0)%Z|apply Z.leb_le in S; exists (0, -1)%Z]]];
+        (split; [discriminate|]); unfold dot; cbn [fst snd]; lia. }
+  destruct G as (n & G0 & G1 & G2). exists n, (bound P Q n). split; [|split; assumption].
   intros t T. exact (Bound P Q n t IP IQ G0 T).
 Qed.
 
@@ -121,12 +126,12 @@ Proof.
 Qed.
 
 (* The listed polygons *)
-Lemma pair_in k : (k < length ds * length hs)%nat -> In (fst (pair_of ds hs k)) ds /\ In (snd (pair_of ds hs k)) hs.
+Lemma pair_in k : (0 <= k < Z.of_nat (length ds) * columns hs)%Z -> In (fst (pair_of ds hs k)) ds /\ In (snd (pair_of ds hs k)) hs.
 Proof.
-  intro K. unfold pair_of. cbn [fst snd]. assert (H : (length hs <> 0)%nat) by (intro E; rewrite E, Nat.mul_0_r in K; lia).
-  split; apply nth_In.
-  - apply Nat.div_lt_upper_bound; [exact H|lia].
-  - apply Nat.mod_upper_bound, H.
+  intro K. unfold pair_of. cbn [fst snd]. unfold columns in *.
+  assert (H : (0 < Z.of_nat (length hs))%Z) by nia. split; apply nth_In.
+  - assert (k / Z.of_nat (length hs) < Z.of_nat (length ds))%Z by (apply Z.div_lt_upper_bound; lia). pose proof (Z.div_pos k _ (proj1 K) H). lia.
+  - pose proof (Z.mod_pos_bound k _ H). lia.
 Qed.
 Lemma polygon_cases p : In p polygons -> (exists x, In x listed /\ p = sides_of ds hs (fst x)) \/ (exists f, In f beyond /\ p = [f]).
 Proof.
@@ -136,8 +141,8 @@ Lemma listed_spec x : In x listed -> let p := map qe (sides_of ds hs (fst x)) in
   convex p /\ linked p /\ (exists z, inS p z) /\ (forall t, inS p t -> O t).
 Proof.
   intro I. pose proof (Sums_ x I) as H. unfold is_sum in H. destruct (pair_of ds hs (fst x)) as (P, Q) eqn:E.
-  apply andb_prop in H as (H & C). apply andb_prop in H as (K & H). apply Nat.ltb_lt in K.
-  pose proof (pair_in (fst x) K) as (IP & IQ). rewrite E in IP, IQ. cbn [fst snd] in IP, IQ.
+  apply andb_prop in H as (H & C). apply andb_prop in H as (K & H). apply andb_prop in K as (K0 & K). apply Z.leb_le in K0. apply Z.ltb_lt in K.
+  pose proof (pair_in (fst x) (conj K0 K)) as (IP & IQ). rewrite E in IP, IQ. cbn [fst snd] in IP, IQ.
   destruct (convex_sides N _ H) as (A & B). assert (S : sides_of ds hs (fst x) = sum_sides P Q) by (unfold sides_of; rewrite E; reflexivity).
   cbv zeta. rewrite S in *. split; [exact A|]. split; [exact B|]. split.
   - exists (third N (plus (center P) (center Q))). intros f' F. apply in_map_iff in F as (f & <- & F).
@@ -218,14 +223,17 @@ Proof.
 Qed.
 
 (* (c) *)
-Lemma along_spec k e left x : fst e <> snd e -> beside named k e left = true -> Statements.on_segment (qe e) x ->
+Lemma sides_of_polygons k f : In f (sides k) -> exists p, In p polygons /\ In f p.
+Proof.
+  intro I. apply by_edge_in in I as (c & I). apply in_flat_map in I as ((p, cs) & I & J). apply in_combine_l in I, J. exists p. auto.
+Qed.
+Lemma along_spec k e left x : fst e <> snd e -> beside left (sides k) e = true -> Statements.on_segment (qe e) x ->
   exists p f, In p polygons /\ In f p /\ Statements.on_segment (qe f) x /\
     (left = true -> (0 < rise (qe e) -> 0 < rise (qe f)) /\ (rise (qe e) < 0 -> rise (qe f) < 0)) /\
     (left = false -> rise (qe e) < 0 -> 0 < rise (qe f)).
 Proof.
   intros Ne H X. unfold beside in H. destruct (on_point_at _ _ X) as (s & S & M). destruct (covers_spec _ s H S) as (y & Y & Sp).
-  apply in_flat_map in Y as ((f, c) & I & Y). cbn [fst snd] in Y. destruct (names k c); [|destruct Y].
-  apply in_flat_map in I as ((p, cs) & I & J). apply in_combine_l in I, J. cbn [fst snd] in J.
+  apply in_flat_map in Y as (f & J & Y). apply sides_of_polygons in J as (p & I & J).
   unfold along in Y. destruct ((det (fst e) (snd e) (fst f) =? 0)%Z && (det (fst e) (snd e) (snd f) =? 0)%Z && negb (same (fst f) (snd f)) &&
     Bool.eqb (Bool.eqb (rightwards e) (rightwards f)) left) eqn:T; [|destruct Y].
   destruct (share e f) as [(u, v)|] eqn:Sh; [|destruct Y]. destruct Y as [<-|[]]. cbn [in_span] in Sp.
@@ -241,15 +249,14 @@ Qed.
 Lemma left_side e' x : In e' (edges_of loop_edges) -> Statements.on_segment e' x -> exists S f, In S sums /\ In f S /\
   Statements.on_segment f x /\ (0 < rise e' -> 0 < rise f) /\ (rise e' < 0 -> rise f < 0).
 Proof.
-  intros I X. apply in_map_iff in I as (e & <- & I). pose proof (Edges e I) as Ne. apply In_nth_error in I as (k & I).
-  destruct (along_spec k e true x Ne (Beside k e I) X) as (p & f & P & F & On & R & _).
+  intros I X. apply in_map_iff in I as (e & <- & I). pose proof (Edges e I) as Ne. destruct (Beside e I) as (k & B).
+  destruct (along_spec k e true x Ne B X) as (p & f & P & F & On & R & _).
   exists (map qe p), (qe f). split; [apply in_map, P|]. split; [apply in_map, F|]. split; [exact On|]. exact (R eq_refl).
 Qed.
 Lemma both_sides e' x : In e' (edges_of fits) -> ~ rise e' == 0 -> Statements.on_segment e' x -> exists S f, In S sums /\ In f S /\
   Statements.on_segment f x /\ 0 < rise f.
 Proof.
-  intros I R X. apply in_map_iff in I as (e & <- & I). apply In_nth_error in I as (k & I).
-  destruct (Fits k e I) as (i & H). destruct (same (fst e) (snd e)) eqn:Sm.
+  intros I R X. apply in_map_iff in I as (e & <- & I). destruct (Fits e I) as (i & H). destruct (same (fst e) (snd e)) eqn:Sm.
   - exfalso. apply same_spec in Sm. apply R. unfold rise, Spans.qe. cbn [fst snd]. rewrite Sm. ring.
   - assert (Ne : fst e <> snd e) by (intro E; apply same_spec in E; congruence). apply andb_prop in H as (H1 & H2).
     destruct (Qlt_le_dec 0 (rise (qe e))) as [P|P].
@@ -262,11 +269,10 @@ Lemma touch e' x : In e' (edges_of loop_edges ++ edges_of fits) -> Statements.on
 Proof.
   intros I X. apply in_app_or in I as [I|I].
   - destruct (left_side e' x I X) as (S & f & A & B & C & _). exists S, f. auto.
-  - apply in_map_iff in I as (e & <- & I). apply In_nth_error in I as (k & I). destruct (Fits k e I) as (i & H).
+  - apply in_map_iff in I as (e & <- & I). destruct (Fits e I) as (i & H).
     destruct (same (fst e) (snd e)) eqn:Sm.
-    + apply same_spec in Sm. unfold on_side in H. apply existsb_exists in H as ((f, c) & J & H). cbn [fst snd] in H.
-      apply andb_prop in H as (H & Ne). apply andb_prop in H as (_ & H). apply same_not in Ne.
-      apply in_flat_map in J as ((p, cs) & J & K). apply in_combine_l in J, K. cbn [fst snd] in K.
+    + apply same_spec in Sm. unfold on_side in H. apply existsb_exists in H as (f & J & H).
+      apply andb_prop in H as (H & Ne). apply same_not in Ne. apply sides_of_polygons in J as (p & J & K).
       destruct (share f e) as [(s, t)|] eqn:Sh; [|discriminate]. apply andb_prop in H as (H1 & H2). apply Qle_bool_iff in H1, H2.
       assert (St : s <= t).
       { unfold share in Sh. destruct f as (a, b), e as (p0, q0). cbn [fst snd] in Sm. subst q0.
@@ -329,8 +335,8 @@ Proof.
   destruct (sum_cases S IS) as (p & J & ->). apply in_map_iff in IF as (g & <- & G).
   destruct (polygon_cases p J) as [(x & Y & ->)|(h & Hh & _)]; [|rewrite Nb in Hh; destruct Hh].
   pose proof (Sums_ x Y) as H. unfold is_sum in H. destruct (pair_of ds hs (fst x)) as (P, Q) eqn:E.
-  apply andb_prop in H as (H & _). apply andb_prop in H as (Kk & _). apply Nat.ltb_lt in Kk.
-  pose proof (pair_in (fst x) Kk) as (IP & IQ). rewrite E in IP, IQ. cbn [fst snd] in IP, IQ.
+  apply andb_prop in H as (H & _). apply andb_prop in H as (K & _). apply andb_prop in K as (K0 & K1). apply Z.leb_le in K0. apply Z.ltb_lt in K1.
+  pose proof (pair_in (fst x) (conj K0 K1)) as (IP & IQ). rewrite E in IP, IQ. cbn [fst snd] in IP, IQ.
   assert (Sd : sides_of ds hs (fst x) = sum_sides P Q) by (unfold sides_of; rewrite E; reflexivity). rewrite Sd in G.
   unfold sum_sides, sum_vertices in G. apply edges_ends in G as (G1 & G2). apply in_map_iff in G1 as ((a, c) & E1 & G1). apply in_map_iff in G2 as ((b, d) & E2 & G2).
   apply add_in in G1 as (Ga & Gc). apply add_in in G2 as (Gb & Gd). cbn [fst snd] in *.
@@ -344,26 +350,26 @@ End Accepted.
 (* The conditions in one Boolean *)
 Lemma boundary_parts ds hs beyond loops fits listed around wanted : Sums.boundary ds hs beyond loops fits listed around wanted = true ->
   (forall e, In e (loop_edges loops) -> fst e <> snd e) /\ all_pairs distinct (loop_edges loops) = true /\
-  (forall P Q, In P ds -> In Q hs -> is_clear loops fits P Q = true) /\ wind_all ds hs loops wanted = true /\
+  all_clear ds hs loops fits = true /\ wind_all ds hs loops wanted = true /\
   (forall f e, In f beyond -> In e (known loops fits) -> (det (fst f) (snd f) (fst e) <= 0 /\ det (fst f) (snd f) (snd e) <= 0)%Z) /\
   (forall x, In x listed -> is_sum ds hs (fst x) = true) /\
   zip_all (zip_all (fun f chain => negb (same (fst f) (snd f)) && covers (spans_of (polygons ds hs beyond listed) (known loops fits) f chain)))
     (polygons ds hs beyond listed) (chains listed around) = true /\
-  (forall k e, nth_error (loop_edges loops) k = Some e -> beside (named ds hs beyond listed around) k e true = true) /\
-  (forall k e, nth_error fits k = Some e -> exists i, (if same (fst e) (snd e) then on_side (named ds hs beyond listed around) i e
-    else beside (named ds hs beyond listed around) i e true && beside (named ds hs beyond listed around) i e false) = true).
+  (forall e, In e (loop_edges loops) -> exists k, beside true (sides_at (by_edge (named ds hs beyond listed around)) k) e = true) /\
+  (forall e, In e fits -> exists k, let sides := sides_at (by_edge (named ds hs beyond listed around)) k in
+    (if same (fst e) (snd e) then on_side sides e else beside true sides e && beside false sides e) = true).
 Proof.
-  unfold Sums.boundary. intro H.
+  unfold Sums.boundary. cbv zeta. intro H.
   repeat match type of H with _ && _ = true => let X := fresh "X" in apply andb_prop in H as (H & X) end.
-  rewrite forallb_forall in H, X3, X4, X6. repeat split.
+  apply andb_prop in X as (XC & X). apply andb_prop in X as (XB & XF). rewrite forallb_forall in H, X1, X2. repeat split.
   - intros e I. apply same_not, H, I.
-  - exact X7.
-  - intros P Q IP IQ. specialize (X6 P IP). rewrite forallb_forall in X6. exact (X6 Q IQ).
   - exact X5.
-  - specialize (X4 f H0). rewrite forallb_forall in X4. specialize (X4 e H1). apply andb_prop in X4 as (A & _). apply Z.leb_le, A.
-  - specialize (X4 f H0). rewrite forallb_forall in X4. specialize (X4 e H1). apply andb_prop in X4 as (_ & A). apply Z.leb_le, A.
+  - exact X4.
   - exact X3.
+  - specialize (X2 f H0). rewrite forallb_forall in X2. specialize (X2 e H1). apply andb_prop in X2 as (A & _). apply Z.leb_le, A.
+  - specialize (X2 f H0). rewrite forallb_forall in X2. specialize (X2 e H1). apply andb_prop in X2 as (_ & A). apply Z.leb_le, A.
   - exact X1.
-  - intros k e E. exact (zip_seq _ _ 0 X0 k e E).
-  - intros k e E. exists (length (loop_edges loops) + k)%nat. exact (zip_seq _ _ _ X k e E).
+  - exact XC.
+  - exact (all_sided_spec _ _ _ _ XB).
+  - exact (all_sided_spec _ _ _ _ XF).
 Qed.

@@ -7,7 +7,7 @@ From Exactsweep Require Import HalfOpen Nearby Boundary SumPoints PiecePoints Co
 Import ListNotations.
 Open Scope Q_scope.
 
-Record sweep_certificate := { unit : positive; moving : list ring; listed_sums : list (nat * list (list Z)) }.
+Record sweep_certificate := { unit : positive; moving : list ring; listed_sums : list (Z * list (list Z)) }.
 
 Definition qplus (x : qpoint * qpoint) : qpoint := (fst (fst x) + fst (snd x), snd (fst x) + snd (snd x)).
 Definition end_of (e : side) (b : bool) : qpoint := if b then snd e else fst e.

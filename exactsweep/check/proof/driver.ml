@@ -23,7 +23,7 @@ let ring () = list point
 let rings () = list ring
 let segments () = list (fun () -> pair point point)
 let chains () = list (fun () -> list integer)
-let sums () = list (fun () -> pair nat chains)
+let sums () = list (fun () -> pair integer chains)
 let cut () = pair rings (fun () -> list rings)
 let four f = let a = f () in let b = f () in let c = f () in let d = f () in (((a, b), c), d)
 
@@ -80,8 +80,8 @@ let answer = function
     let moving = rings () in let listed = sums () in
     accept_sum g path exterior holes slits moving listed (cut ())
   | "layout" ->
-    let l = layout () in let kinds = list rings in let outside = list rings in let frame = four rational in
-    accept_by (normals ()) l kinds outside frame
+    let l = layout () in let pieces = list rings in let frame = four rational in
+    accept_by (normals ()) l pieces frame
   | "faults" -> let l = layout () in let fs = list fault in accept_faults l fs (ring ())
   | word -> failwith ("unknown claim " ^ word)
 
