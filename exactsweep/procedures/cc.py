@@ -15,7 +15,6 @@ from collections.abc import Sequence
 from itertools import pairwise
 from math import lcm
 
-from exactsweep.geometry.direction import slope_key
 from exactsweep.procedures.chain import Chain, ConvexPart, Line
 from exactsweep.procedures.graph import Graph, Piece, VertexContact
 
@@ -64,16 +63,18 @@ def merge_by_slope(*chains: Chain) -> Chain:
     """
     scale = lcm(*(w for chain in chains for _, _, w in chain.vertices))
     listed = [[(x * scale // w, y * scale // w) for x, y, w in c.vertices] for c in chains]
-    edges = [(u - x, v - y) for points in listed for (x, y), (u, v) in pairwise(points)]
+    moves = [(u - x, v - y) for points in listed for (x, y), (u, v) in pairwise(points)]
+    # Slopes rounded down to multiples of 1/unit keep their order (see `Chain.unit`).
+    unit = 1 << 2 * max(dx for dx, _ in moves).bit_length()
     x, y = map(sum, zip(*(points[0] for points in listed), strict=True))
     merged = [(x, y, scale)]
-    last_dx, last_dy = 0, 1
-    for dx, dy in sorted(edges, key=slope_key):
+    last = None
+    for slope, dx, dy in sorted((dy * unit // dx, dx, dy) for dx, dy in moves):
         x, y = x + dx, y + dy
-        if last_dx * dy == last_dy * dx:
+        if slope == last:
             merged.pop()
         merged.append((x, y, scale))
-        last_dx, last_dy = dx, dy
+        last = slope
     return Chain(merged)
 
 

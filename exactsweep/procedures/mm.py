@@ -53,9 +53,8 @@ def trajectory_mm(generatrix: Chain, directrix: Chain, ranges: Ranges | None = N
     # Step 2: compute the subtrajectories T(G_i, D_b) for all i by Trajectory_CM. To disable
     # pruning, call cc.subtrajectories(generatrix_parts, directrix_parts).
     rows = subtrajectories(generatrix_parts, directrix_parts, ranges)
-    envelopes = [reduce(lower_envelope_cm, row) for row in rows if row]
     # Steps 3 and 4: compute and return their lower envelope.
-    return lower_envelope_mm(envelopes)
+    return lower_envelope_mm([reduce(lower_envelope_cm, row) for row in rows if row])
 
 
 def sweep_mm(generatrix: Chain, bottom: Chain, directrix: Chain) -> tuple[Chain, Chain]:
