@@ -46,7 +46,7 @@ def make_figure(rows: int = 1, columns: int = 1, size: tuple[float, float] | Non
     from matplotlib.figure import Figure
 
     if not 1 <= rows * columns <= _MAX_AXES or rows < 1:
-        raise DrawError(f"{quote(rows)} by {quote(columns)} Axes: not from 1 to {_MAX_AXES} in all")
+        raise DrawError(f"{quote(rows)} by {quote(columns)} Axes; use 1 to {_MAX_AXES} in all")
     with use_style():
         figure = Figure(layout="compressed", figsize=size)
         figure.subplots(rows, columns)
@@ -62,8 +62,8 @@ def read_suffix(path: str) -> str:
     """
     suffix = Path(path).suffix.lower()
     if suffix not in SUFFIXES:
-        fault = f"the suffix {suffix!a} is not" if suffix else "the suffix is missing; use"
-        raise DrawError(f"{fault} one of {', '.join(SUFFIXES)}")
+        fault = f"unknown suffix {suffix!a}" if suffix else "the suffix is missing"
+        raise DrawError(f"{fault}; use one of {', '.join(SUFFIXES)}")
     return suffix
 
 

@@ -31,7 +31,7 @@ class ClaimVerdict(Enum):
 
 
 class Counterexample(NamedTuple):
-    """A case in which a statement fails, and how it was found; G and D are empty if it has none."""
+    """A case in which a statement fails, and how it was found; without a pair, corners are empty."""
 
     text: str
     how: str

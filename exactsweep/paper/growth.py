@@ -37,7 +37,7 @@ exceed the caches; that of bytes uses all sizes, since ints grow with the coordi
 """
 
 FALL = 0.1
-"""Maximum shortfall of the exponent of a count that attains its bound.
+"""How far the exponent of a count that attains its bound may be below the exponent of the bound.
 
 Over the three largest sizes, a superfluous factor log n in the bound exceeds it.
 """
@@ -97,7 +97,7 @@ class Growth:
         return self._exponent([point.count for point in self.points], last)
 
     def claimed(self, last: int = 0) -> float:
-        """Return the exponent of the bound; logarithms raise it."""
+        """Return the exponent of the bound, which logarithmic factors raise."""
         return self._exponent([point.bound for point in self.points], last)
 
     @property

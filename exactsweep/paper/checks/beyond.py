@@ -89,7 +89,7 @@ def monotone_fits_are_segments(pair: SweepPair) -> Iterator[str]:
 
 
 def find_held_position(effort: Effort) -> Iterator[Observation]:
-    """Show an isolated free position, at which every move leads to an overlap."""
+    """Show an isolated free position, from which every move leads to an overlap."""
     fits = no_fit_polygon(*HELD[::-1]).exact_fits
     yield Evidence(f"A square in a cavity of the same size: {functions.show_fits(fits)}.")
     yield from fits_have_no_room(HELD)

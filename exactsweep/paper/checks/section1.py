@@ -21,7 +21,8 @@ from exactsweep.paper.functions import (
 from exactsweep.paper.laws import find_violation, search_grid, shrink
 from exactsweep.paper.pairs import SweepPair
 
-# Edges are tested at this share of their length, where a contact rarely ends, and this far off.
+# Edges are tested at this share of their length, where a contact rarely ends; the positions inside
+# and outside T are about STEP away from the edge, relative to its length.
 SHARE, STEP = Fraction(5, 17), Fraction(1, 10**9)
 
 

@@ -93,7 +93,7 @@ def parts_have_counterparts(pair: SweepPair) -> Iterator[str]:
 
 
 def output_has_mn_vertices(pair: SweepPair) -> Iterator[str]:
-    """Trajectory and outer loop together have mn vertices."""
+    """The trajectory and the outer loop together have mn vertices."""
     (n, m), loops = map(len, pair), functions.look_up(pair)
     if (size := len(loops.trajectory) + len(loops.outer)) != m * n:
         yield f"the output has {size} vertices for m = {m} and n = {n}"
