@@ -136,12 +136,7 @@ def _geometry(closed: bool, rings: Sequence[Sequence[Point]]) -> dict[str, Any]:
 
 
 def cases_to_svg(cases: Iterable[Case]) -> Iterator[str]:
-    """Yield the text of an SVG image with a picture of each case.
-
-    >>> from exactsweep.corpus import find_case
-    >>> "".join(cases_to_svg([find_case("fits-square")])).count("<title>CM sweep of 4 around 8")
-    1
-    """
+    """Yield the text of an SVG image with a picture of each case."""
     drawn = list(cases)
     columns = isqrt(max(0, len(drawn) - 1)) + 1
     width, height = columns * _WIDTH, -(-len(drawn) // columns) * _HEIGHT

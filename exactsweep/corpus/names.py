@@ -19,10 +19,6 @@ def require_known(name: str, names: Collection[str], thing: str) -> str:
     """
     if name in names:
         return name
-    near = suggest(name, names) or f"; {_some(names)}"
-    raise UnknownNameError(f"no {thing} {quote(name)}{near}")
-
-
-def _some(names: Collection[str]) -> str:
     shown = sorted(names)
-    return f"choose from {', '.join(shown[:8])}{', ...' if len(shown) > 8 else ''}"
+    some = f"; choose from {', '.join(shown[:8])}{', ...' if len(shown) > 8 else ''}"
+    raise UnknownNameError(f"no {thing} {quote(name)}{suggest(name, names) or some}")

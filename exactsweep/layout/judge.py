@@ -35,7 +35,6 @@ class Judgement:
     """The faults and measures of a layout; see `judge_layout`.
 
     Attributes:
-        layout: the Layout.
         faults: tuple of Fault, by kind in the order of `FaultKind`, then by placement.
         contacts: pairs of placements whose parts touch without overlap, sorted.
     """
@@ -70,7 +69,7 @@ class Judgement:
     def density(self) -> Fraction | None:
         """The total area of the placed simple parts, relative to the container or else the `box`.
 
-        None if nothing is placed or rounded pieces of a part overlap. The error is at most
+        It is None if nothing is placed or rounded pieces of a part overlap. The error is at most
         `density_error`.
         """
         return None if self._density is None else sum(self._density, Fraction(0)) / 2
@@ -101,7 +100,7 @@ class Judgement:
     def box(self) -> tuple[Point, Point] | None:
         """The lower left and upper right corners of the bounding box of all placed parts.
 
-        None if nothing is placed. The error of each side is at most `box_error`.
+        It is None if nothing is placed. The error of each side is at most `box_error`.
         """
         boxes = [(solid.box, solid.scale) for solid in map(self._board.solid, self._board.placed)]
         if not boxes:

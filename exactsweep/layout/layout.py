@@ -11,17 +11,8 @@ from exactsweep.geometry.interface import GeoJson, make_polygon
 from exactsweep.geometry.point_set import AffineMap
 from exactsweep.geometry.region import Region
 from exactsweep.geometry.turn import TURN_BITS, Turn
-from exactsweep.layout.reading import (
-    LayoutError,
-    read_flag,
-    read_gap,
-    read_id,
-    read_list,
-    read_object,
-    read_rings,
-    read_turn,
-    read_vertex,
-)
+from exactsweep.layout import reading
+from exactsweep.layout.reading import LayoutError
 from exactsweep.layout.rounded import BodyShape, RoundedPiece, read_pieces, to_region
 from exactsweep.numbers.digits import to_plain
 from exactsweep.numbers.error import quote
@@ -32,14 +23,7 @@ _ShapeRings = tuple[Loop, tuple[Loop, ...]]
 
 @dataclass(frozen=True)
 class Placement:
-    """A copy of a part: mirrored (x to -x) first, then rotated about its origin, then translated.
-
-    Attributes:
-        part: the id of the part.
-        turn: the rotation, a Turn.
-        move: the translation, a Point.
-        mirrored: whether the copy is mirrored.
-    """
+    """A copy of a part: mirrored (x to -x), then rotated about its origin, then translated."""
 
     part: str
     turn: Turn
@@ -49,12 +33,12 @@ class Placement:
     @classmethod
     def from_json(cls, data: object, path: str) -> Self:
         """Read a placement from JSON data; error messages start with `path`."""
-        found = read_object(data, path, ("part", "move"), ("turn", "mirrored"))
+        found = reading.read_object(data, path, ("part", "move"), ("turn", "mirrored"))
         return cls(
-            read_id(found["part"], f"{path}.part"),
-            read_turn(found.get("turn", 0), f"{path}.turn"),
-            read_vertex(found["move"], f"{path}.move"),
-            read_flag(found.get("mirrored"), f"{path}.mirrored") or False,
+            reading.read_id(found["part"], f"{path}.part"),
+            reading.read_turn(found.get("turn", 0), f"{path}.turn"),
+            reading.read_vertex(found["move"], f"{path}.move"),
+            reading.read_flag(found.get("mirrored"), f"{path}.mirrored") or False,
         )
 
     def rows(self, bits: int = TURN_BITS) -> tuple[Fraction, Fraction, Fraction, Fraction]:
@@ -98,18 +82,20 @@ class LayoutPart:
         found, (exterior, holes), pieces, error = _read_shape(data, path, ("id",), rules)
         demand = found.get("demand")
         turns, mirrored = (
-            None if found.get(name) is None else read_list(found[name], f"{path}.{name}", read_turn)
+            None
+            if found.get(name) is None
+            else reading.read_list(found[name], f"{path}.{name}", reading.read_turn)
             for name in ("turns", "mirrored_turns")
         )
         if demand is not None and (type(demand) is not int or demand < 0):
             raise LayoutError(f"{path}.demand is {quote(demand)}, not a non-negative integer")
         return cls(
-            read_id(found["id"], f"{path}.id"),
+            reading.read_id(found["id"], f"{path}.id"),
             exterior,
             holes,
             demand,
             turns,
-            read_flag(found.get("mirrored"), f"{path}.mirrored"),
+            reading.read_flag(found.get("mirrored"), f"{path}.mirrored"),
             error,
             mirrored,
             pieces,
@@ -158,7 +144,7 @@ class Defect:
     def from_json(cls, data: object, path: str) -> Self:
         found, rings, pieces, error = _read_shape(data, path, (), ("spacing",))
         given = found.get("spacing")
-        spacing = None if given is None else read_gap(given, f"{path}.spacing")
+        spacing = None if given is None else reading.read_gap(given, f"{path}.spacing")
         return cls(pieces or _make_region(rings, path), error, spacing)
 
 
@@ -213,19 +199,19 @@ class Layout:
             Point(x=Fraction(1, 1), y=Fraction(0, 1))
         """
         fields = ("parts", "placements"), ("container", "defects", "spacing", "margin")
-        found = read_object(data, "the layout", *fields)
-        parts = read_list(found["parts"], "parts", LayoutPart.from_json)
+        found = reading.read_object(data, "the layout", *fields)
+        parts = reading.read_list(found["parts"], "parts", LayoutPart.from_json)
         numbers: dict[str, int] = {}
         for k, part in enumerate(parts):
             if (other := numbers.setdefault(part.id, k)) < k:
                 raise LayoutError(f"parts[{k}].id: duplicate of parts[{other}]")
-        placements = read_list(found["placements"], "placements", Placement.from_json)
+        placements = reading.read_list(found["placements"], "placements", Placement.from_json)
         for k, placement in enumerate(placements):
             if placement.part not in numbers:
                 raise LayoutError(
                     f"placements[{k}].part: no part has the id {quote(placement.part)}"
                 )
-        defects = read_list(found.get("defects", ()), "defects", Defect.from_json)
+        defects = reading.read_list(found.get("defects", ()), "defects", Defect.from_json)
         container, holes = None, tuple[Defect, ...]()
         error = Fraction(0)
         if found.get("container") is not None:
@@ -234,8 +220,8 @@ class Layout:
             container,
             parts,
             placements,
-            read_gap(found.get("spacing", 0), "spacing"),
-            read_gap(found.get("margin", 0), "margin"),
+            reading.read_gap(found.get("spacing", 0), "spacing"),
+            reading.read_gap(found.get("margin", 0), "margin"),
             error,
             (*holes, *defects),
         )
@@ -323,10 +309,10 @@ def _read_shape(
 ) -> tuple[Mapping[str, object], _ShapeRings, tuple[RoundedPiece, ...], Fraction]:
     is_rounded = isinstance(data, Mapping) and "pieces" in data
     form, more = ("pieces", ()) if is_rounded else ("exterior", ("holes",))
-    found = read_object(data, path, (*needed, form), (*more, *others, "error"))
-    rings: _ShapeRings = ((), ()) if is_rounded else read_rings(found, path)
+    found = reading.read_object(data, path, (*needed, form), (*more, *others, "error"))
+    rings: _ShapeRings = ((), ()) if is_rounded else reading.read_rings(found, path)
     pieces = read_pieces(found["pieces"], f"{path}.pieces") if is_rounded else ()
-    return found, rings, pieces, read_gap(found.get("error", 0), f"{path}.error")
+    return found, rings, pieces, reading.read_gap(found.get("error", 0), f"{path}.error")
 
 
 def _make_region(rings: _ShapeRings, path: str) -> Region:

@@ -212,11 +212,7 @@ def make_box(frame: tuple[int, int, int, int]) -> Region:
 
 
 def enlarge(region: Region, radius: Fraction) -> Region:
-    """Return a region that contains all points within `radius` of another region.
-
-    >>> print(enlarge(Region([(0, 0), (9, 0), (9, 9), (0, 9)]), Fraction(1, 10**7)).bounding_box[0])
-    (-1/10000000, -1/10000000)
-    """
+    """Return a region that contains all points within `radius` of another region."""
     low, high = region.bounding_box
     sides = 4 if radius < _TINY * min(high.x - low.x, high.y - low.y) else _SIDES
     disc = Region([(x * radius, y * radius) for x, y in list_disc(sides)])

@@ -65,8 +65,8 @@ class RepairedLayout(NamedTuple):
 def repair_layout(judgement: Judgement) -> RepairedLayout | None:
     """Repair a layout by small moves.
 
-    None if no such moves were found, a fault does not depend on positions, or there are more than
-    2,000 faults. It takes up to thirty judgements and the repairs of deep faults.
+    It is None if no such moves were found, a fault does not depend on positions, or there are
+    more than 2,000 faults. It takes up to thirty judgements and the repairs of deep faults.
 
     Example:
         >>> from exactsweep.corpus import find_layout_case

@@ -15,12 +15,7 @@ from typing import NamedTuple
 
 from exactsweep.geometry.distance import SquaredDistance
 from exactsweep.geometry.overlap import Relation
-from exactsweep.layout.clearance import (
-    find_clearance,
-    find_rounded_witness,
-    is_rounded,
-    measure_gap,
-)
+from exactsweep.layout import clearance
 from exactsweep.layout.deep import find_deep_point
 from exactsweep.layout.nearest import find_gap
 from exactsweep.layout.solid import Solid, meet, share_scale
@@ -55,7 +50,7 @@ def judge_pair(refine: Refine, bits: int, spacing: Fraction) -> PairVerdict:
 
 
 def _decide(a: Solid, b: Solid, bits: int, spacing: Fraction) -> PairVerdict:
-    if is_rounded(a, b):
+    if clearance.is_rounded(a, b):
         return _decide_rounded(a, b, bits, spacing)
     slack, gap = a.slack + b.slack, None
     meeting: Relation | None = meet(a, b)
@@ -78,13 +73,13 @@ def _decide(a: Solid, b: Solid, bits: int, spacing: Fraction) -> PairVerdict:
 
 def _decide_rounded(a: Solid, b: Solid, bits: int, spacing: Fraction) -> PairVerdict:
     slack = a.slack + b.slack
-    found = find_clearance(a, b, spacing + slack)
+    found = clearance.find_clearance(a, b, spacing + slack)
     meeting: Relation | None = Relation.APART
     gap: SquaredDistance | None = None
     too_close: bool | None = False
     if found is not None and found.is_below(-slack):
         meeting = Relation.OVERLAP
-        if slack and find_rounded_witness(a, b) is None:
+        if slack and clearance.find_rounded_witness(a, b) is None:
             meeting = too_close = None
     elif found is not None and slack and found.is_at_most(slack):
         meeting = too_close = None
@@ -92,7 +87,7 @@ def _decide_rounded(a: Solid, b: Solid, bits: int, spacing: Fraction) -> PairVer
         if found.is_at_most(Fraction(0)):
             meeting = Relation.CONTACT
         if spacing > slack and found.is_below(spacing - slack):
-            too_close, gap = True, measure_gap(a, b, found)
+            too_close, gap = True, clearance.measure_gap(a, b, found)
         elif found.is_below(spacing + slack):
             too_close = None if slack else spacing > 0
     return PairVerdict(meeting, gap, too_close, bits, slack, a.error + b.error)
@@ -100,4 +95,6 @@ def _decide_rounded(a: Solid, b: Solid, bits: int, spacing: Fraction) -> PairVer
 
 def find_witness(a: Solid, b: Solid) -> Point | None:
     """Find a point inside both true solids by (2); None if not found. They share a lattice."""
-    return find_rounded_witness(a, b) if is_rounded(a, b) else find_deep_point(a, b)
+    if clearance.is_rounded(a, b):
+        return clearance.find_rounded_witness(a, b)
+    return find_deep_point(a, b)

@@ -7,17 +7,11 @@ from fractions import Fraction
 from itertools import islice
 from operator import itemgetter
 
+from exactsweep.conform.judge import region, witness
 from exactsweep.conform.judge.boundary import are_bridges, find_boundary, subtract_fits, trace_rings
 from exactsweep.conform.judge.closeness import describe_merge, match_rounded
 from exactsweep.conform.judge.diagnosis import diagnose
 from exactsweep.conform.judge.fits import judge_fits
-from exactsweep.conform.judge.region import (
-    RegionError,
-    Trapezoid,
-    add_areas,
-    find_differences,
-    measure_distance,
-)
 from exactsweep.conform.judge.rounding import grant_rounding, name_arithmetic
 from exactsweep.conform.judge.verdict import (
     LOOPS,
@@ -29,16 +23,6 @@ from exactsweep.conform.judge.verdict import (
     describe_type,
     read_loop,
     read_segments,
-)
-from exactsweep.conform.judge.witness import (
-    FITS_OF,
-    INSIDE,
-    LOOP_NAMES,
-    NAME,
-    SUM,
-    find_witness,
-    list_exact_fits,
-    list_exact_rings,
 )
 from exactsweep.corpus import Case
 from exactsweep.geometry.canonical import PolygonError
@@ -103,7 +87,7 @@ def compare(
     def grant(name: str, loop: AnsweredLoop) -> Fraction:
         return grant_rounding(case, name, loop, numbers) if rounding is None else rounding
 
-    whiskers: dict[str, list[Fit]] = {NAME: [], INSIDE: []}
+    whiskers: dict[str, list[Fit]] = {witness.NAME: [], witness.INSIDE: []}
 
     def judge_part(name: str) -> PartComparison:
         place = f"$.{name}"
@@ -115,8 +99,8 @@ def compare(
             raise AnswerError(f"{place} is missing")
         loop = read_loop(result[name], place, may_be_empty=name == "inner_fit")
         part, traced = judge_loop(case, name, loop, grant(name, loop))
-        if name in FITS_OF and name != SUM:
-            whiskers[FITS_OF[name]] += traced
+        if name in witness.FITS_OF and name != witness.SUM:
+            whiskers[witness.FITS_OF[name]] += traced
         return part
 
     parts = []
@@ -140,17 +124,21 @@ def _list_parts(
         asked.discard("inner_fit")
     yield from (name for name in LOOPS if name in asked)
     answered = asked & result.keys()
-    if answered & {"trajectory", "no_fit", NAME}:
-        yield NAME
+    if answered & {"trajectory", "no_fit", witness.NAME}:
+        yield witness.NAME
     if "inner_fit" in answered:
-        yield INSIDE
+        yield witness.INSIDE
 
 
 def judge_loop(case: Case, name: str, loop: AnsweredLoop, rounding: Fraction) -> JudgedLoop:
-    exact = list_exact_rings(case, name)
+    exact = witness.list_exact_rings(case, name)
     if _have_same_vertices(loop.rings, exact):
         return _same(name, Verdict.EXACT), ()
-    fits = list_exact_fits(case, name if name == SUM else FITS_OF[name]) if name in FITS_OF else ()
+    fits = (
+        witness.list_exact_fits(case, name if name == witness.SUM else witness.FITS_OF[name])
+        if name in witness.FITS_OF
+        else ()
+    )
     boundary, right = find_boundary(loop.rings), find_boundary(exact)
     on_fits, others = subtract_fits(boundary.doubled, fits)
     is_bridged = are_bridges(others, [*boundary.solid, *on_fits])
@@ -213,14 +201,14 @@ def _measure(
     rounding: Fraction,
     is_rounded: bool = False,
 ) -> PartComparison:
-    exact = list_exact_rings(case, name)
+    exact = witness.list_exact_rings(case, name)
     is_small = sum(map(len, exact)) + sum(map(len, rings)) <= MAX_MEASURED
-    cells: list[Trapezoid] = []
+    cells: list[region.Trapezoid] = []
     is_whole = False
     if is_small or not (fault or is_rounded):
-        with suppress(RegionError):
+        with suppress(region.RegionError):
             # An error keeps the cells before it.
-            for cell in find_differences(exact, rings):
+            for cell in region.find_differences(exact, rings):
                 cells.append(cell)
             is_whole = True
     lost = [cell for cell in cells if cell.first]
@@ -235,11 +223,11 @@ def _measure(
         name,
         verdict,
         reason,
-        measure_distance(exact, rings) if is_measured and exact and rings else None,
-        add_areas(overlapping) if is_measured else None,
-        add_areas(free) if is_measured else None,
-        find_witness(case, name, rings, overlapping) if overlapping else None,
-        find_witness(case, name, rings, free) if free else None,
+        region.measure_distance(exact, rings) if is_measured and exact and rings else None,
+        region.add_areas(overlapping) if is_measured else None,
+        region.add_areas(free) if is_measured else None,
+        witness.find_witness(case, name, rings, overlapping) if overlapping else None,
+        witness.find_witness(case, name, rings, free) if free else None,
         rounding,
         "",
         diagnosis,
@@ -249,11 +237,11 @@ def _measure(
 def _judge_difference(
     name: str,
     fault: str | None,
-    lost: Sequence[Trapezoid],
-    extra: Sequence[Trapezoid],
+    lost: Sequence[region.Trapezoid],
+    extra: Sequence[region.Trapezoid],
     is_whole: bool,
 ) -> tuple[Verdict, str]:
-    loop_name = LOOP_NAMES[name]
+    loop_name = witness.LOOP_NAMES[name]
     if fault is not None:
         return Verdict.MALFORMED, fault
     if lost and extra:

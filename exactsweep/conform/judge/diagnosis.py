@@ -12,15 +12,9 @@ from itertools import chain
 from operator import itemgetter
 from typing import NamedTuple
 
+from exactsweep.conform.judge import witness
 from exactsweep.conform.judge.closeness import are_close, find_box, is_near, match_rings
 from exactsweep.conform.judge.rounding import name_arithmetic
-from exactsweep.conform.judge.witness import (
-    LOOP_NAMES,
-    SUM,
-    find_middle,
-    list_exact_rings,
-    subtract,
-)
 from exactsweep.corpus import Case
 from exactsweep.geometry.canonical import find_centroid, find_doubled_area
 from exactsweep.geometry.polygon import Polygon
@@ -36,7 +30,7 @@ _BOUNDARIES = (
 )
 _MAX_ROUNDED = 16
 _NEARLY = 4
-_POSITIONS = ("trajectory", "no_fit", SUM, "inner_fit")  # depend on the reference point
+_POSITIONS = ("trajectory", "no_fit", witness.SUM, "inner_fit")  # depend on the reference point
 # Diagnoses in terms of a Minkowski sum of a = D and b = -G.
 _SUMS = {
     "D + G, G not reflected": "exact for a + (-b), b reflected",
@@ -67,7 +61,7 @@ class _DiagnosedRings(NamedTuple):
 
     @property
     def reference(self) -> Point:
-        return ORIGIN if self.name == SUM else self.case.reference
+        return ORIGIN if self.name == witness.SUM else self.case.reference
 
     def equal(self, others: PointRings, times: int = 1) -> bool:
         """Decide whether the answered rings equal others up to a multiple of the rounding."""
@@ -82,9 +76,9 @@ def diagnose(case: Case, name: str, rings: PointRings, rounding: Fraction) -> tu
     if min(high.x - low.x, high.y - low.y) < _MAX_ROUNDED * rounding:
         # Such a rounding would make nearly all rings equal.
         rounding = Fraction(0)
-    exact = list_exact_rings(case, name)
+    exact = witness.list_exact_rings(case, name)
     if not exact:
-        return (f"the exact {LOOP_NAMES[name]} has no rings",)
+        return (f"the exact {witness.LOOP_NAMES[name]} has no rings",)
     theirs = _DiagnosedRings(case, name, exact, rings, rounding, low, high)
     left = list(rings)
     missing = list(match_rings(exact, left, rounding))
@@ -104,7 +98,7 @@ def diagnose(case: Case, name: str, rings: PointRings, rounding: Fraction) -> tu
         found += spoilt or _name_vertices(exact, rings)
     if not found and len(missing) < len(exact):
         found.append(f"exact in {len(exact) - len(missing)} of {len(exact)} rings")
-    if name == SUM:
+    if name == witness.SUM:
         found = [words.removeprefix("exact for another reference point: ") for words in found]
         found = [_SUMS.get(words.removeprefix("exact for "), words) for words in found]
     return tuple(dict.fromkeys(found))
@@ -116,7 +110,7 @@ def _count_rings(theirs: _DiagnosedRings, missing: PointRings, left: PointRings)
     if len(missing) == len(exact):
         return
     if not missing:
-        is_around = name in ("trajectory", "no_fit", SUM)
+        is_around = name in ("trajectory", "no_fit", witness.SUM)
         inside = _find_inside(theirs.case, theirs.reference) if is_around else []
         if inside and left and are_close(inside, left, theirs.rounding):
             yield _BOUNDARIES
@@ -153,10 +147,10 @@ def _name_vertices(exact: PointRings, theirs: PointRings) -> Iterator[str]:
 
 def _other_loops(theirs: _DiagnosedRings) -> Iterator[str]:
     case, exact = theirs.case, theirs.exact
-    for other, words in LOOP_NAMES.items():
-        if SUM in (other, theirs.name):
+    for other, words in witness.LOOP_NAMES.items():
+        if witness.SUM in (other, theirs.name):
             continue
-        loop = list_exact_rings(case, other)
+        loop = witness.list_exact_rings(case, other)
         if loop not in ((), exact) and theirs.equal(loop):
             yield f"exact for the {words} instead"
     named: dict[str, PointRings] = {
@@ -176,7 +170,7 @@ def _other_loops(theirs: _DiagnosedRings) -> Iterator[str]:
 def _other_positions(theirs: _DiagnosedRings) -> list[str]:
     """List the mistakes that explain the answer up to translation, most likely first."""
     case, rings = theirs.case, theirs.exact
-    positions = _map(rings, 1, 0, 0, 1, subtract(ORIGIN, theirs.reference))
+    positions = _map(rings, 1, 0, 0, 1, witness.subtract(ORIGIN, theirs.reference))
     shapes: list[tuple[str, PointRings]] = [("", positions)]
     if theirs.name != "inner_fit":
         shapes.append(("D + G, G not reflected", _add(case, theirs.name)))
@@ -196,7 +190,7 @@ def _other_positions(theirs: _DiagnosedRings) -> list[str]:
             for point in points
         )
         if not points:
-            by = write_pair(subtract(offset, theirs.reference))
+            by = write_pair(witness.subtract(offset, theirs.reference))
             found.append((4, f"exact for {joint}another reference point: translated by {by}"))
     factor = _find_scale(theirs)
     if factor is not None:
@@ -211,14 +205,14 @@ def _map(rings: PointRings, a: int, b: int, c: int, d: int, by: Point = ORIGIN) 
 
 def _add(case: Case, name: str) -> PointRings:
     found = no_fit_polygon(case.directrix, case.generatrix.reflected())
-    holes = found.holes if name in ("no_fit", SUM) else ()
+    holes = found.holes if name in ("no_fit", witness.SUM) else ()
     return [loop.vertices for loop in (found.exterior, *holes)]
 
 
 def _name_offsets(theirs: _DiagnosedRings, offset: Point) -> Iterator[str]:
     """Name the points of G at an offset from its origin."""
     case = theirs.case
-    if theirs.name == SUM:
+    if theirs.name == witness.SUM:
         if is_near(ORIGIN, offset, theirs.rounding):
             yield _GIVEN
         return
@@ -230,9 +224,9 @@ def _name_offsets(theirs: _DiagnosedRings, offset: Point) -> Iterator[str]:
         _GIVEN: case.reference,
         "G's first vertex as reference": first,
         "G's origin as reference": ORIGIN,
-        "the reference point negated": subtract(ORIGIN, case.reference),
+        "the reference point negated": witness.subtract(ORIGIN, case.reference),
         "the lower left corner of G's box as reference": low,
-        "the center of G's box as reference": find_middle(low, high),
+        "the center of G's box as reference": witness.find_middle(low, high),
         "G's centroid as reference": find_centroid(ring),
         "the mean of G's vertices as reference": Point(*(add_up(c) / len(ring) for c in columns)),
         "G's last vertex as reference": ring[-1],
@@ -240,9 +234,9 @@ def _name_offsets(theirs: _DiagnosedRings, offset: Point) -> Iterator[str]:
         "G's leftmost vertex as reference": min(ring),
         "G's rightmost vertex as reference": max(ring),
         "G's highest vertex as reference": max(ring, key=lambda p: (p.y, p.x)),
-        "positions relative to D's first vertex": subtract(case.reference, base),
-        "G's first vertex as reference, relative to D's first": subtract(first, base),
-        "positions relative to the lower left corner of D's box": subtract(low, d_low),
+        "positions relative to D's first vertex": witness.subtract(case.reference, base),
+        "G's first vertex as reference, relative to D's first": witness.subtract(first, base),
+        "positions relative to the lower left corner of D's box": witness.subtract(low, d_low),
     }
     for name, point in named.items():
         if is_near(point, offset, theirs.rounding):
@@ -250,7 +244,7 @@ def _name_offsets(theirs: _DiagnosedRings, offset: Point) -> Iterator[str]:
 
 
 def _find_offset(shape: PointRings, theirs: _DiagnosedRings) -> Point | None:
-    by = subtract(theirs.low, find_box(shape)[0])
+    by = witness.subtract(theirs.low, find_box(shape)[0])
     return by if theirs.equal(_map(shape, 1, 0, 0, 1, by), 2) else None
 
 

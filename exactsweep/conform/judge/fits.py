@@ -10,18 +10,10 @@ from dataclasses import replace
 from fractions import Fraction
 from itertools import pairwise
 
+from exactsweep.conform.judge import witness
 from exactsweep.conform.judge.boundary import are_collinear, subtract_fits
 from exactsweep.conform.judge.closeness import covers
 from exactsweep.conform.judge.verdict import PartComparison, Verdict, Witness
-from exactsweep.conform.judge.witness import (
-    INSIDE,
-    NAME,
-    at_position,
-    crossing_of,
-    find_middle,
-    list_exact_fits,
-    list_exact_rings,
-)
 from exactsweep.corpus import Case
 from exactsweep.geometry.vectors import is_on_segment
 from exactsweep.numbers.number import Fit, Point
@@ -33,15 +25,15 @@ def judge_fits(
     theirs: Sequence[Fit],
     rounding: Fraction = Fraction(0),
     whiskers: Sequence[Fit] = (),
-    name: str = NAME,
+    name: str = witness.NAME,
 ) -> PartComparison:
     """Compare answered exact fits, and those that loops trace, with the expected ones."""
 
     def show(position: Point, which: str) -> Witness:
-        found = at_position(case, position, inside=name == INSIDE)
+        found = witness.at_position(case, position, inside=name == witness.INSIDE)
         return replace(found, says=f"{found.says}; it is on {which} exact fit")
 
-    fits = list_exact_fits(case, name)
+    fits = witness.list_exact_fits(case, name)
     exact, answered = {*map(frozenset, fits)}, [*map(frozenset, theirs)]
     if set(answered) == exact and len(answered) == len(exact):
         return PartComparison(name, Verdict.EXACT)
@@ -77,7 +69,7 @@ def judge_fits(
         reason = f"an answered exact fit is false: {listed}"
         verdict = Verdict.FALSE_EXACT_FITS
         return PartComparison(name, verdict, reason, conservative=shown[0], kind=kind)
-    missed = (show(find_middle(*fit), "a missing") for fit in missing)
+    missed = (show(witness.find_middle(*fit), "a missing") for fit in missing)
     return PartComparison(
         name,
         Verdict.EQUIVALENT_EXCEPT_FOR_EXACT_FITS,
@@ -112,11 +104,11 @@ def _places(case: Case, segment: Fit, name: str) -> Iterator[Point]:
     """Yield the ends of a segment, and positions between its crossings with loops and fits."""
     p, q = segment
     ends = {p, q}
-    rings = list_exact_rings(case, "inner_fit" if name == INSIDE else "no_fit")
-    for ring in (*rings, *list_exact_fits(case, name)):
-        crossings = (crossing_of(p, q, ring[k - 1], b) for k, b in enumerate(ring))
+    rings = witness.list_exact_rings(case, "inner_fit" if name == witness.INSIDE else "no_fit")
+    for ring in (*rings, *witness.list_exact_fits(case, name)):
+        crossings = (witness.crossing_of(p, q, ring[k - 1], b) for k, b in enumerate(ring))
         ends |= {c for c in crossings if c} | {v for v in ring if is_on_segment(v, p, q)}
     yield from dict.fromkeys(segment)
     # Between two crossings, all positions overlap or none does.
     for a, b in pairwise(sorted(ends, reverse=q < p)):
-        yield find_middle(a, b)
+        yield witness.find_middle(a, b)

@@ -44,11 +44,7 @@ _LANGUAGES = {
 
 
 def guess_language(command: Sequence[str], name: str) -> str:
-    """Guess the language of a program from its command and name; C++ by default.
-
-    >>> guess_language(["node", "mine.js"], "mine"), guess_language(["./mine"], "mine 1.0")
-    ('JavaScript', 'C++')
-    """
+    """Guess the language of a program from its command and name; C++ by default."""
     said = " ".join([*command, name])
     return next(one for one, how in _LANGUAGES.items() if re.search(how.pattern, said))
 

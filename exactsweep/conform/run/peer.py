@@ -68,11 +68,7 @@ def replace_controls(text: str) -> str:
 
 
 def make_plain(value: Any) -> Any:
-    """Convert vertices and rings of any type to lists; leave other values unchanged.
-
-    >>> make_plain(iter([(0, 0), range(2)]))
-    [[0, 0], [0, 1]]
-    """
+    """Convert vertices and rings of any type to lists; leave other values unchanged."""
     if isinstance(value, Region):
         value = value.rings if value.holes else value.vertices
     elif isinstance(value, Polygon):

@@ -6,17 +6,11 @@ from fractions import Fraction
 from typing import NamedTuple
 
 from exactsweep.conform.judge.verdict import Verdict
+from exactsweep.conform.run import protocol
 from exactsweep.conform.run.channel import Channel, ChannelError, ClosedError, SilentError
 from exactsweep.conform.run.fault import find_error
 from exactsweep.conform.run.peer import SECONDS, Answer, cut, read_answer
-from exactsweep.conform.run.protocol import (
-    BYE,
-    Hello,
-    ProtocolError,
-    read_hello,
-    read_reply,
-    write_case_line,
-)
+from exactsweep.conform.run.protocol import Hello, ProtocolError
 from exactsweep.corpus import Case
 from exactsweep.formats.exact_json import describe_kind
 from exactsweep.numbers.error import quote
@@ -58,7 +52,7 @@ class ProcessPeer:
         channel, self._channel = self._channel, None
         if channel is None:
             return None
-        complaint = channel.finish(BYE, EXIT_SECONDS)
+        complaint = channel.finish(protocol.BYE, EXIT_SECONDS)
         return complaint and _with_last_words(complaint, channel)
 
     def kill(self) -> None:
@@ -67,9 +61,9 @@ class ProcessPeer:
             self._channel = None
 
     def _exchange(self, channel: Channel, case: Case) -> Answer:
-        channel.send(write_case_line(case, self.hello))
+        channel.send(protocol.write_case_line(case, self.hello))
         try:
-            result = read_reply(channel.receive(self.terms.seconds))
+            result = protocol.read_reply(channel.receive(self.terms.seconds))
             if result["id"] != case.id:
                 raise ProtocolError(f"answers {describe_kind(result['id'])}, which was not sent")
             return read_answer(result)
@@ -91,7 +85,7 @@ class ProcessPeer:
             reason = getattr(error, "strerror", None) or error
             raise ProtocolError(f"cannot run {quote(self.terms.command[0])}: {reason}") from None
         try:
-            return read_hello(channel.receive(self._to_start))
+            return protocol.read_hello(channel.receive(self._to_start))
         except (KeyboardInterrupt, SystemExit):
             self.kill()
             raise

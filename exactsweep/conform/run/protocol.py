@@ -113,12 +113,6 @@ def _choose_some(
 
 
 def read_hello(line: str) -> Hello:
-    """Read the hello of a program.
-
-    >>> read_hello('{"hello": "mine", "loops": ["inner"], "numbers": "int64"}')
-    Traceback (most recent call last):
-    exactsweep.conform.run.protocol.ProtocolError: the hello has no "reference"
-    """
     with prefix_errors("the first line is not a hello"):
         found = read_object(line)
         if "hello" not in found:
@@ -127,13 +121,7 @@ def read_hello(line: str) -> Hello:
 
 
 def write_case_line(case: Case, hello: Hello) -> str:
-    """Write the line of a case, without its end, for a program with this hello.
-
-    >>> triangle = [(0, 0), (1, 0), (0, 1)]
-    >>> case = Case.of("a", "", triangle, triangle)
-    >>> write_case_line(case, Hello("b", numbers="binary64"))[:50]
-    '{"id": "a", "class": "CC", "directrix": [["0.0", "'
-    """
+    """Write the line of a case, without its end, for a program with this hello."""
     is_double = hello.numbers == "binary64"
 
     def ring(points: Iterable[Point]) -> list[list[str]]:

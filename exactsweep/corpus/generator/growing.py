@@ -104,11 +104,7 @@ def inner_peaks(n: int) -> int:
 
 
 def edges_over_needles(m: int, n: int) -> int:
-    """Return a lower bound on the edges of the inner boundary of `needles`, by Lemma 5.5.
-
-    >>> edges_over_needles(31, 22)
-    1602
-    """
+    """Return a lower bound on the edges of the inner boundary of `needles`, by Lemma 5.5."""
     count, peaks = max(2, (m - 1) // 3), inner_peaks(n)
     return 2 * (count - 1) * (peaks * (peaks - 1) - 1)
 

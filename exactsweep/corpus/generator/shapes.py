@@ -12,9 +12,7 @@ Ring = list[IntegerPoint]
 P = TypeVar("P", bound=tuple[Any, Any])
 
 
-class Grid(NamedTuple):
-    """Parameters of a random monotone ring."""
-
+class Grid(NamedTuple):  # parameters of a random monotone ring
     cells: tuple[int, int]  # minimum and maximum number of cells of each chain
     widths: Sequence[int]  # of a cell
     height: int  # maximum y of each chain; the minimum is 0
@@ -37,7 +35,6 @@ def walk(
 
 
 def draw_monotone(random: Prng, grid: Grid) -> Ring:
-    """Draw a bottom and a top chain with independent breakpoints."""
     bottom, top = _chain(random, grid), _chain(random, grid)
     return close_between(random, bottom, top, grid.pointed)
 

@@ -86,14 +86,7 @@ def draw_layout(
 
 
 class LayoutPicture:
-    """The picture of a Judgement in a notebook; faults are ranked and drawn when it is shown.
-
-    Example:
-        >>> from exactsweep.corpus import find_layout_case
-        >>> from exactsweep.layout import judge_layout
-        >>> LayoutPicture(judge_layout(find_layout_case("layouts-tiles").layout))
-        <LayoutPicture: 6 placements>
-    """
+    """The picture of a Judgement in a notebook; faults are ranked and drawn when it is shown."""
 
     def __init__(self, judgement: Judgement) -> None:
         self.judgement = judgement
