@@ -5,7 +5,7 @@ from fractions import Fraction
 from typing import Any, NamedTuple, cast
 
 from exactsweep.geometry.simplicity import find_conflict
-from exactsweep.numbers.addition import add_ratios, add_up
+from exactsweep.numbers.addition import add_up
 from exactsweep.numbers.error import ExactSweepError
 from exactsweep.numbers.number import Point, Vertex
 from exactsweep.numbers.unreduced import unreduced_points
@@ -141,7 +141,7 @@ def find_doubled_area(ring: Sequence[Vertex]) -> int | Fraction:
     points: Any = ring if is_integral else unreduced_points(ring)
     after = (*points[1:], points[0])
     terms = [ax * by - ay * bx for (ax, ay), (bx, by) in zip(points, after, strict=True)]
-    return sum(terms) if is_integral else add_ratios((term.n, term.d) for term in terms)
+    return sum(terms) if is_integral else add_up(Fraction(term.n, term.d) for term in terms)
 
 
 def find_centroid(ring: Sequence[Point]) -> Point:
