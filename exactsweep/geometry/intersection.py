@@ -11,23 +11,11 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from fractions import Fraction
 from itertools import chain, pairwise
-from typing import NamedTuple
 
 from exactsweep.geometry.edges import EdgeIndex, Rings
-from exactsweep.geometry.vectors import cross, minus
+from exactsweep.geometry.vectors import cross, intersect, minus
 from exactsweep.numbers.addition import add_up
 from exactsweep.numbers.number import Edge, Point, Rational, Vertex
-
-
-class _Cuts(NamedTuple):
-    """Common points of an edge and the other boundary, as parameters from 0 to 1.
-
-    `along` lists the ranges shared with an edge of the other shape, and whether the directions
-    agree.
-    """
-
-    places: set[Rational]
-    along: list[tuple[Rational, Rational, bool]]
 
 
 def find_common_boundary(first: Rings, second: Rings) -> list[Edge]:
@@ -91,38 +79,16 @@ def _find_point(p: Vertex, q: Vertex, at: Rational) -> Vertex:
 def _find_pieces(shape: EdgeIndex, other: EdgeIndex, *, keeps_shared: bool) -> Iterator[Edge]:
     """Yield the pieces of a boundary that bound the intersection, by (2)."""
     for left, right, low, high, p, q, _, _ in shape.near(other.box):
-        cuts = _Cuts({0, 1}, [])
-        for edge in other.near((left, right, low, high)):
-            _cut(p, q, edge[4], edge[5], cuts)
-        for start, end in pairwise(sorted(cuts.places)):
-            shared = [same for low, high, same in cuts.along if low <= start and end <= high]
-            if shared:
-                keeps = keeps_shared and shared[0]
-            else:
-                x, y = _find_point(p, q, Fraction(start + end, 2))
-                keeps = other.contains(x, y, 1)
-            if keeps:
-                yield _find_point(p, q, start), _find_point(p, q, end)
-
-
-def _cut(p: Vertex, q: Vertex, a: Vertex, b: Vertex, cuts: _Cuts) -> None:
-    """Add the common points of the edges p q and a b to the cuts of p q."""
-    d = minus(q, p)
-    of_a, of_b = cross(d, minus(a, p)), cross(d, minus(b, p))
-    if (of_a > 0 < of_b) or (of_a < 0 > of_b):
-        return
-    if of_a == of_b == 0:
-        size = measure_square(d)
-        start, end = (Fraction((z[0] - p[0]) * d[0] + (z[1] - p[1]) * d[1], size) for z in (a, b))
-        low, high = max(min(start, end), Fraction(0)), min(max(start, end), Fraction(1))
-        if low <= high:
-            cuts.places.update((low, high))
-        if low < high:
-            cuts.along.append((low, high, start < end))
-        return
-    e = minus(b, a)
-    turn = cross(d, e)
-    n = cross(minus(a, p), e)
-    at = Fraction(n, turn)
-    if 0 <= at <= 1:
-        cuts.places.add(at)
+        cuts = {p, q}
+        # Pieces shared with another edge, and whether the directions agree.
+        along: list[tuple[Vertex, Vertex, bool]] = []
+        for _, _, _, _, a, b, _, _ in other.near((left, right, low, high)):
+            common = intersect((p, q), (a, b))
+            cuts.update(common)
+            if len(common) == 2:
+                along.append((common[0], common[1], (a < b) == (p < q)))
+        for start, end in pairwise(sorted(cuts, reverse=q < p)):
+            middle = _find_point(start, end, Fraction(1, 2))
+            shared = [same for first, last, same in along if first <= middle <= last]
+            if (keeps_shared and shared[0]) if shared else other.contains(*middle, 1):
+                yield start, end
