@@ -1,8 +1,9 @@
 """Loops and exact fits, traced along the pieces of contact segments between crossings.
 
 (1) If a piece bounds a free region, the next piece of the boundary is the first one
-    counter-clockwise from the reverse direction, and no crossing proves that it is in O. So if a
-    walk does not close, all of its pieces are in O. If it closes, one test decides the whole loop.
+    counter-clockwise from the reverse direction, and no crossing proves that it is in O. So a walk
+    passes pieces in O first, if any, and a test of the first piece of a ring decides the ring. If a
+    walk does not close, all of its pieces are in O.
 (2) The least point of the closure of O is the sum of the least vertices. The loop around all
     overlap passes through it, and leaves it along the first piece counter-clockwise from straight
     down.
@@ -55,8 +56,7 @@ def find_free(
     least point of the closure of O saves a test, by (2). With `around_overlap`, loops that meet at
     a point are split so that each bounds one component of O, otherwise of the free positions.
 
-    Cost: O(k) for k pieces, plus one test for each closed walk, each two-sided piece and each
-    meeting.
+    Cost: O(k) for k pieces, plus one test for each ring, each two-sided piece and each meeting.
     """
     overlaps = cache(overlaps)
     rings = list(_walk_rings(pieces.one_sided, overlaps, least=least))
@@ -84,7 +84,7 @@ def _walk_rings(
     choose: Callable[..., OneSidedPiece] = max,
     least: HomogeneousPoint | None = None,
 ) -> Iterator[PieceRing]:
-    """Trace the boundaries of free regions by (1); yield simple rings of pieces.
+    """Trace the boundaries of free regions by (1); yield a ring where a walk revisits a point.
 
     With `min`, trace the boundaries of overlap; all pieces must bound it.
     """
@@ -95,16 +95,22 @@ def _walk_rings(
     outermost = _follow((least, least, 0, 1), leaving) if least else None
     done: set[OneSidedPiece] = set()
     for first in [outermost, *pieces] if outermost else pieces:
-        path: dict[OneSidedPiece, int] = {}
+        path: list[OneSidedPiece] = []
+        places: dict[HomogeneousPoint, int] = {}
         following: OneSidedPiece | None = first
         while following is not None and following not in done:
+            start, end, _, _ = following
             done.add(following)
-            path[following] = len(path)
+            places[start] = len(path)
+            path.append(following)
+            if end in places:
+                ring = path[places[end] :]
+                if first is outermost or not overlaps(_find_middle(ring[0][0], ring[0][1])):
+                    yield ring
+                    del path[places[end] :]
+                    for piece in ring:
+                        del places[piece[0]]
             following = _follow(following, leaving, choose)
-        if following in path:
-            ring = list(path)[path[following] :]
-            if first is outermost or not overlaps(_find_middle(following[0], following[1])):
-                yield from split_where_it_touches(ring)
 
 
 def _follow(
@@ -119,21 +125,6 @@ def _follow(
         return found[0] if found else None
     # Sort by clockwise angle from the reverse of the piece, rotated to the X axis.
     return choose(found, key=lambda p: angle_key((-dx * p[2] - dy * p[3], dx * p[3] - dy * p[2])))
-
-
-def split_where_it_touches(ring: Iterable[OneSidedPiece]) -> Iterator[PieceRing]:
-    """Split a ring where it revisits a point, for example where loops of two obstacles touch."""
-    path: list[OneSidedPiece] = []
-    places: dict[HomogeneousPoint, int] = {}
-    for piece in ring:
-        since = places.setdefault(piece[0], len(path))
-        if since < len(path):
-            yield path[since:]
-            for passed in path[since + 1 :]:
-                del places[passed[0]]
-            del path[since:]
-        path.append(piece)
-    yield path
 
 
 def _make_canonical(ring: PieceRing, scale: int) -> tuple[list[Point], bool]:

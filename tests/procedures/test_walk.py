@@ -1,7 +1,9 @@
 """Walks around free regions, and the loop around all overlap, which needs no test."""
 
+from collections.abc import Sequence
 from fractions import Fraction
-from itertools import product
+from functools import partial
+from itertools import pairwise, product
 
 import pytest
 from hypothesis import strategies as st
@@ -15,7 +17,7 @@ from exactsweep.procedures import crossings, walk
 from exactsweep.procedures.crossings import OneSidedPiece, Pieces
 from exactsweep.procedures.positions import reflect
 from exactsweep.procedures.segments import find_contact_segments
-from exactsweep.procedures.walk import find_free, split_where_it_touches
+from exactsweep.procedures.walk import find_free
 
 MATRICES = st.sampled_from([(1, 0, 0, 1), (5, 3, -2, 9), (8, 8, 0, 4), (0, 1, -1, 0)])
 
@@ -55,13 +57,24 @@ def test_the_next_piece_is_the_first_counter_clockwise_from_the_reverse(turns: i
         assert found == leaving[expected]
 
 
-def test_a_ring_is_split_where_it_comes_back() -> None:
-    """Through B, C and B again; C, which was split off, is then passed for the first time."""
-    a, b, c, d, e = ((k, 0, 1) for k in range(5))
-    points = [a, b, c, b, d, e, c]
-    pieces = [(p, q, 1, 0) for p, q in zip(points, [*points[1:], a], strict=True)]
-    parts = [[piece[0] for piece in part] for part in split_where_it_touches(pieces)]
-    assert parts == [[b, c], [a, b, d, e, c]]
+def test_a_walk_is_split_where_it_revisits_a_point() -> None:
+    """Two triangles around overlap touch at (0, 0), inside the boundary of a free region."""
+    triangles = [(0, 0), (2, 0), (1, 1)], [(0, 0), (-2, 0), (-1, -1)]
+    square = [(4, 4), (4, -4), (-4, -4), (-4, 4)]
+    for free in product((True, False), repeat=3):
+        pieces: list[OneSidedPiece] = [
+            ((*p, 1), (*q, 1), q[0] - p[0], q[1] - p[1])
+            for ring in (*triangles, square)
+            for p, q in pairwise([*ring, ring[0]])
+        ]
+        found = find_free(Pieces(pieces, [], set()), partial(is_overlapped, free))
+        assert (len(found.around), len(found.within)) == (sum(free[:2]), free[2])
+
+
+def is_overlapped(free: Sequence[bool], position: HomogeneousPoint) -> bool:
+    """Decide whether a ring is not free: of the right or left triangle, or of the square."""
+    x, y, w = position
+    return not free[2 if max(abs(x), abs(y)) == 4 * w else x < 0]
 
 
 def test_the_end_on_a_loop_comes_first_if_only_one_is() -> None:

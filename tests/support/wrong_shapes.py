@@ -62,9 +62,11 @@ INNER_FIT = {
     "regions after the second are lost": changing(regions=lambda regions: regions[:2]),
 }
 OTHERS: dict[str, tuple[Procedure, Sabotage]] = {
-    "loops: not parted where they come back to a point": (
-        walk.split_where_it_touches,
-        lambda right: lambda ring: iter([list(ring)]),
+    "loops: of several pieces, the last one counter-clockwise follows": (
+        walk._follow,
+        lambda right: (
+            lambda piece, leaving, choose=max: right(piece, leaving, min if choose is max else max)
+        ),
     ),
     "contact segments: those of G's vertices forgotten": (
         segments.find_contact_segments,
