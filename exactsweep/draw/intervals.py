@@ -81,7 +81,7 @@ def cut_trajectory(s: SweepAnswer) -> list[ContactInterval]:
     Returns:
         the intervals in order, starting at the first vertex of the trajectory.
 
-    Cost: `Sweep.contacts`, plus O(c log c) for each edge with c contacts.
+    Cost: O(c log c) for each edge with c contacts, after `Sweep.contacts`.
 
     Example:
         >>> from exactsweep import sweep

@@ -31,7 +31,7 @@ class ClaimVerdict(Enum):
 
 
 class Counterexample(NamedTuple):
-    """A case in which a statement fails, and how it was found; without a pair, corners are empty."""
+    """A case in which a statement fails, and how it was found; G and D may be empty."""
 
     text: str
     how: str
