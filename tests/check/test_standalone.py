@@ -97,6 +97,7 @@ CONDITIONS = {
         "directrix.exterior: a ring of fewer than three points",
     ),
     "no rectangle": ("inside", change("proof", "frame", 2, to="-99"), "frame: not left, bottom"),
+    "no height": ("inside", change("proof", "frame", 3, to="-99"), "frame: not left, bottom"),
     "a frame without room": (
         "inside",
         change("part", "exterior", to=[["0", "0"], ["99", "0"], ["99", "1"], ["0", "1"]]),

@@ -137,6 +137,7 @@ FAULTS = {
         having(*FAULT, "kind", to=["overlap"]),
         "faults[0].kind: none of missing",
     ),
+    "an unknown kind": (having(*FAULT, "kind", to="near"), "faults[0].kind: none of missing"),
     "of a part that is none": (
         having(*FAULT, to={"kind": "missing", "part": "x"}),
         "faults[0]: unknown part",
