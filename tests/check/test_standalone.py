@@ -9,10 +9,10 @@ from fractions import Fraction
 from typing import Any
 
 import pytest
-from certified import CAVE, HOUSE, certificates
+from certified import CAVE, HOUSE, SQUARE, certificates
 from tampering import get, put
 
-from exactsweep import Region, no_fit_polygon
+from exactsweep import Region, inner_fit_polygon, no_fit_polygon
 from exactsweep.check.standalone import Refused, covers, is_convex, node, prove, winding
 from exactsweep.check.standalone import edges as list_edges
 from exactsweep.evidence.proof import add_proof
@@ -336,6 +336,17 @@ def test_every_form_of_the_page_is_proved(name: str) -> None:
         json.dumps(no_fit_polygon(HOLED, [(0, 0), (1, 0), (1, 1), (0, 1)]).certificate())
     )
     assert prove(FORMS[name](certificate))
+
+
+def test_the_frame_of_an_inner_fit_may_be_its_container() -> None:
+    ring = [[str(x), str(y)] for x, y in ((0, 0), (3, 0), (3, 3), (0, 3))]
+    room = [[str(x), str(y)] for x, y in ((0, 0), (2, 0), (2, 2), (0, 2))]
+    certificate = json.loads(json.dumps(inner_fit_polygon(ring, SQUARE).certificate()))
+    # The reversed loop goes along the half-planes above, right, below and left.
+    proof = certificate["proof"] | {"frame": ["0", "0", "3", "3"], "outside": [], "sums": []}
+    proof["around"] = [[-3], [-2], [-1], [-4]]
+    assert certificate["regions"] == [{"exterior": room, "holes": []}]
+    assert prove({**certificate, "proof": proof})
 
 
 def test_fits_are_written_in_any_order_and_direction() -> None:

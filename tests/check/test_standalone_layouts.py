@@ -184,6 +184,15 @@ FAULTS = {
 }
 
 
+@pytest.mark.parametrize("valid", [True, False])
+def test_a_layout_has_either_a_proof_or_faults(valid: bool) -> None:
+    reason = "valid: neither true with a proof nor false with faults"
+    proof = two_ls()["proof"]
+    for more in ({}, {"proof": proof, "faults": [{"kind": "missing", "part": "L"}]}):
+        without = {key: value for key, value in two_ls().items() if key != "proof"}
+        assert reason in refusal({**without, "valid": valid, **more})
+
+
 @pytest.mark.parametrize("name", FAULTS)
 def test_each_condition_of_a_fault_is_needed(name: str) -> None:
     made, reason = FAULTS[name]
