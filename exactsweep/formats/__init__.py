@@ -7,10 +7,12 @@ from exactsweep.formats.files import read_text, show_path
 from exactsweep.formats.interchange import (
     from_numpy,
     from_shapely,
+    from_sympy,
     from_wkt,
     parts_from_shapely,
     to_numpy,
     to_shapely,
+    to_sympy,
 )
 from exactsweep.formats.part_list import Coordinates, PartList
 from exactsweep.formats.polygons import (
@@ -36,6 +38,7 @@ __all__ = [
     "format_polygons",
     "from_numpy",
     "from_shapely",
+    "from_sympy",
     "from_wkt",
     "parse_polygon",
     "parse_polygons",
@@ -53,4 +56,5 @@ __all__ = [
     "show_path",
     "to_numpy",
     "to_shapely",
+    "to_sympy",
 ]

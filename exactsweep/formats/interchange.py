@@ -1,4 +1,4 @@
-"""Conversion to and from shapely and numpy; `Polygon` itself accepts sympy polygons."""
+"""Conversion to and from shapely, numpy and sympy."""
 
 from __future__ import annotations
 
@@ -20,6 +20,7 @@ from exactsweep.numbers.number import Point
 if TYPE_CHECKING:
     import numpy
     import shapely
+    import sympy
 
 
 class HasGeoInterface(Protocol):
@@ -212,3 +213,32 @@ def _float(value: Fraction, vertex: str, nearest: bool) -> float:
     if found != value and not nearest:
         raise FormatError(f"{vertex}: {abridge(value)} is not a float; nearest=True rounds")
     return found
+
+
+@explain_type_errors
+def to_sympy(polygon: Polygon) -> sympy.Polygon:
+    """Convert a polygon to a `sympy.geometry.Polygon`.
+
+    sympy detects collinear vertices in floating point. Raises FormatError if it would drop
+    vertices.
+    """
+    import sympy
+
+    found = sympy.Polygon(*polygon.vertices)
+    if not isinstance(found, sympy.Polygon) or len(found.vertices) != len(polygon):
+        raise FormatError("sympy would drop vertices that it takes for collinear")
+    return found
+
+
+@explain_type_errors
+def from_sympy(polygon: sympy.Polygon) -> Polygon:
+    """Convert a rational `sympy.geometry.Polygon`, a triangle or a regular polygon.
+
+    Raises FormatError for other objects, and otherwise the errors of `Polygon`.
+    """
+    import sympy
+
+    # sympy.Polygon(...) returns a Segment or a Point for collinear vertices.
+    if not isinstance(polygon, sympy.Polygon):
+        raise FormatError(f"a sympy {type(polygon).__name__} is not a polygon")
+    return Polygon(polygon.vertices)

@@ -4,10 +4,9 @@ from collections.abc import Iterable, Sequence
 from fractions import Fraction
 from itertools import chain
 from math import lcm
-from typing import TYPE_CHECKING, Any, Self, cast
+from typing import Any, Self, cast
 
 from exactsweep.geometry.canonical import (
-    PolygonError,
     are_chains_monotone,
     canonicalize_ring,
     find_doubled_area,
@@ -26,9 +25,6 @@ from exactsweep.numbers.number import (
     Vertex,
     divide,
 )
-
-if TYPE_CHECKING:
-    import sympy
 
 _SHOWN_VERTICES, _SHOWN_LENGTH = 8, 26
 
@@ -177,33 +173,6 @@ class Polygon(PointSet):
         # The lattice would be too fine, so keep rational vertices.
         found = [Point(Fraction(x) / scale, Fraction(y) / scale) for x, y in found]
         return Polygon._trust(found, None, *numbers)
-
-    def to_sympy(self) -> "sympy.Polygon":
-        """Return the polygon as a `sympy.geometry.Polygon`.
-
-        sympy detects collinear vertices in floating point. Raises PolygonError if it would drop
-        vertices.
-        """
-        import sympy
-
-        polygon = sympy.Polygon(*self.vertices)
-        if not isinstance(polygon, sympy.Polygon) or len(polygon.vertices) != len(self):
-            raise PolygonError("sympy would drop vertices that it takes for collinear")
-        return polygon
-
-    @classmethod
-    def from_sympy(cls, polygon: "sympy.Polygon") -> "Polygon":
-        """Read a rational `sympy.geometry.Polygon`, a triangle or a regular polygon.
-
-        Raises PolygonError for other objects and for polygons that `Polygon` rejects, NumberError
-        for irrational or symbolic coordinates.
-        """
-        import sympy
-
-        # sympy.Polygon(...) returns a Segment or a Point for collinear vertices.
-        if not isinstance(polygon, sympy.Polygon):
-            raise PolygonError(f"a sympy {type(polygon).__name__} is not a polygon")
-        return cls(polygon.vertices)
 
     index, count = Sequence.index, Sequence.count
 

@@ -8,13 +8,11 @@ from typing import Any
 
 import pytest
 import strategies
-import sympy
 from hypothesis import given
 from hypothesis import strategies as st
 from refusals import list_refusals, require_refused
-from tiers import examples
 
-from exactsweep import NumberError, Point, Polygon, PolygonError, Region, limits
+from exactsweep import NumberError, Point, Polygon, Region, limits
 
 SQUARE = [(0, 0), (2, 0), (2, 2), (0, 2)]
 
@@ -111,14 +109,6 @@ def test_copies_are_equal(polygon: Polygon) -> None:
         assert other.vertex_index(0) == polygon.vertex_index(0)
 
 
-@given(strategies.star_rings())
-@examples(20)
-def test_sympy_round_trip(ring: strategies.Ring) -> None:
-    polygon = Polygon([(x, Fraction(y, 3)) for x, y in ring])
-    assert Polygon.from_sympy(polygon.to_sympy()) == polygon
-    assert abs(polygon.to_sympy().area) == sympy.Rational(*polygon.area.as_integer_ratio())
-
-
 def test_polygons_are_immutable() -> None:
     polygon: Any = Polygon(SQUARE)
     for name in ("vertices", "area", "anything"):
@@ -167,22 +157,6 @@ def test_floats_are_shown_as_the_decimals_that_stand_for_them() -> None:
 @pytest.mark.parametrize(("call", "said"), list_refusals(__file__))
 def test_refusals_name_the_place(call: str, said: str) -> None:
     require_refused(call, said)
-
-
-def test_numbers_of_sympy_name_the_vertex() -> None:
-    with pytest.raises(NumberError, match=r"^vertex 1: .* is not a rational number$"):
-        Polygon.from_sympy(sympy.RegularPolygon((0, 0), 1, 3))
-
-
-def test_sympy_leftovers_are_no_polygons() -> None:
-    with pytest.raises(PolygonError, match=r"^a sympy Segment2D is not a polygon$"):
-        Polygon.from_sympy(sympy.Polygon((0, 0), (1, 1), (2, 2)))
-
-
-def test_vertices_that_sympy_would_drop_are_rejected() -> None:
-    minute = Polygon([(0, 0), ("1e-8", 0), (0, "1e-8")])
-    with pytest.raises(PolygonError, match="sympy would drop vertices"):
-        minute.to_sympy()
 
 
 @given(strategies.simple_polygons())

@@ -37,7 +37,7 @@ from exactsweep.canvas.style import Look
 from exactsweep.cli.pair import GENERATRIX
 from exactsweep.corpus import Case, case_to_json, find_case, layout_cases
 from exactsweep.draw import Picture, Scale, make_figure
-from exactsweep.formats import NamedPolygon, NamedRegion
+from exactsweep.formats import NamedPolygon, NamedRegion, to_sympy
 from exactsweep.geometry.region import Region
 from exactsweep.layout import Layout, LayoutPart, Placement
 from exactsweep.numbers.limits import get_limits
@@ -164,6 +164,7 @@ VALID: dict[str, dict[str, Any]] = {
     "draw.read_suffix": {"path": "a.svg"},
     "draw.save": {"path": "a.svg"},
     "formats.from_wkt": {"text": "POLYGON ((0 0, 1 0, 0 1, 0 0))"},
+    "formats.from_sympy": {"polygon": to_sympy(GENERATRIX)},
     "formats.round_region": {"side": "closest"},
     "formats.to_numpy": {"dtype": "object"},
     "no_fit_union": {"stationary": [UNIT], "orbiting": [UNIT]},
@@ -212,7 +213,7 @@ OF_POSITIONS: dict[str, dict[str, Any]] = {
 }
 PLOTTED = {"axes": None, "positions": [(0, 0)], "y_down": False}
 METHODS: list[tuple[object, dict[str, dict[str, Any]]]] = [
-    (GENERATRIX, {**OF_SHAPES, "from_sympy": {"polygon": GENERATRIX.to_sympy()}}),
+    (GENERATRIX, OF_SHAPES),
     (HOLED, OF_SHAPES),
     (
         EXAMPLE,
