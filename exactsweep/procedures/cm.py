@@ -89,12 +89,10 @@ def sweep_inner_cm(generatrix: Chain, directrix: Chain, trajectory: Graph | None
         # From the first vertex of G_t in contact on the left to the last one on the right.
         of_g = reversed(generatrix.vertices[start[2] : end[2] + 1])
         placed = [(x * gw - gx * w, y * gw - gy * w, w * gw) for gx, gy, gw in of_g]
-        # Only the vertices at both ends can lie beyond the contacts.
-        if precedes(placed[0], left):
-            del placed[0]
-        if precedes(right, placed[-1]):
-            del placed[-1]
-        bottoms.append(placed)
+        # Only the first and the last vertex can lie beyond the contacts.
+        bottoms.append(
+            placed[precedes(placed[0], left) : len(placed) - precedes(right, placed[-1])]
+        )
         undercuts.append(Untouched(before, left, after, right))
     # Steps 1 and 4: return a copy of D_b with the top chains of the undercuts replaced.
     return close(directrix, undercuts, bottoms)
