@@ -49,16 +49,13 @@ class Covering(NamedTuple):
     slits: list[DirectedSegment]
 
 
-def find_evidence(
-    sums: Sums, known: Sequence[DirectedSegment], beyond: Sequence[DirectedSegment] = ()
-) -> Covering:
+def find_evidence(sums: Sums, known: Sequence[DirectedSegment]) -> Covering:
     """Find sums whose sides are covered by each other, known edges and slits.
 
     `known` contains fits, and the edges of loops with the sums on their left; if these are not the
-    boundary of the sums, the Covering proves nothing. `beyond` contains boundaries of open
-    half-planes, which count as sums.
+    boundary of the sums, the Covering proves nothing.
     """
-    finder = _Finder(sums, beyond)
+    finder = _Finder(sums, len(known))
     finder.add_known(known)
     finder.cover()
     slits = unite((gap for gaps in finder.gaps.values() for gap in gaps), known)
@@ -89,39 +86,30 @@ class _Strips:
 class _Finder:
     """A search for evidence: the sums listed so far, their chains, and the gaps in their sides."""
 
-    def __init__(self, sums: Sums, beyond: Sequence[DirectedSegment]) -> None:
+    def __init__(self, sums: Sums, count: int) -> None:
         self._sums = sums
-        self._beyond = {sums.count + k: [side] for k, side in enumerate(beyond)}
         self._known: list[DirectedSegment] = []
         # Known edges that touch the box of a sum, by its number.
         self._edges: dict[int, list[int]] = defaultdict(list)
         self._listed: list[int] = []
-        self._chains: dict[int, list[list[int]]] = {k: [] for k in self._beyond}
-        self._strips = _Strips(sums.box, 1)
+        self._chains: dict[int, list[list[int]]] = {}
+        self._strips = _Strips(sums.box, _STRIPS * isqrt(count) + 1)
         self._last = -1
         self.gaps: dict[tuple[int, int], list[Gap]] = {}
-
-    def _sides(self, k: int) -> list[DirectedSegment]:
-        return self._sums.sides(k) if k < self._sums.count else self._beyond[k]
+        for k in range(sums.count, len(sums.boxes)):
+            self._list(k)
 
     def add_known(self, edges: Sequence[DirectedSegment]) -> None:
         """Add known edges, and list the sums along them, which are left of loops."""
-        if not self._known:
-            self._strips = _Strips(self._sums.box, _STRIPS * isqrt(len(edges)) + 1)
-        bound, first = self._sums.bound, len(self._known)
+        first = len(self._known)
         self._known += edges
-        boxes = [(bound((edge.start, edge.end)), first + n) for n, edge in enumerate(edges)]
-        near: dict[int, list[int]] = defaultdict(list)
-        for k, (side,) in self._beyond.items():
-            box = bound((side.start, side.end))
-            for n in (n for other, n in boxes if are_touching(box, other)):
-                near[n].append(k)
-        for box, n in boxes:
-            near[n] += self._sums.find_near(box)
+        near = {}
+        for n, edge in enumerate(edges, first):
+            near[n] = list(self._sums.find_near(self._sums.bound((edge.start, edge.end))))
         for n, numbers in near.items():
             for k in numbers:
                 self._edges[k].append(n)
-        wanted = [found for _, n in boxes for found in self._find_along(n, near[n])]
+        wanted = [found for n in near for found in self._find_along(n, near[n])]
         gain = Counter(k for found in wanted for k, _ in found)
         for found in wanted:
             self._list_along(found, gain)
@@ -130,11 +118,11 @@ class _Finder:
         """Find the sums with sides along a known edge, right and left of it, with intervals."""
         edge = self._known[n]
         if edge.start == edge.end:
-            return [[(k, _WHOLE) for k in near if is_on_border(self._sides(k), edge.start)]]
+            return [[(k, _WHOLE) for k in near if is_on_border(self._sums.sides(k), edge.start)]]
         found: list[list[tuple[int, Interval]]] = [[], []]
         (dx, dy) = edge.direction
         for k in near:
-            for side in self._sides(k):
+            for side in self._sums.sides(k):
                 if is_along(edge, side) and (span := intersect(edge, side)):
                     is_left = dx * side.direction[0] + dy * side.direction[1] > 0
                     found[is_left].append((k, span))
@@ -164,25 +152,22 @@ class _Finder:
 
     def cover(self) -> None:
         """Find a chain for each side of listed sums, and list more sums if necessary."""
-        for numbers in (list(self._beyond), self._listed):
-            for k in numbers:
-                if not self._chains[k]:
-                    self._last = -1
-                    sides, edges = self._sides(k), self._find_edges(k)
-                    self._chains[k] = [
-                        self._cover(side, edges, (k, s)) for s, side in enumerate(sides)
-                    ]
+        for k in self._listed:
+            if not self._chains[k]:
+                self._last = -1
+                sides, edges = self._sums.sides(k), self._find_edges(k)
+                self._chains[k] = [self._cover(side, edges, (k, s)) for s, side in enumerate(sides)]
 
     def close_gaps(self) -> None:
         """Cover the sides with gaps again."""
         gaps, self.gaps = self.gaps, {}
         for k, s in gaps:
-            self._chains[k][s] = self._cover(self._sides(k)[s], self._find_edges(k), (k, s))
+            self._chains[k][s] = self._cover(self._sums.sides(k)[s], self._find_edges(k), (k, s))
         self.cover()
 
     def _find_edges(self, k: int) -> list[int]:
         """Find the known edges that no side of a sum separates from it."""
-        sides, known = self._sides(k), self._known
+        sides, known = self._sums.sides(k), self._known
         return [n for n in self._edges[k] if not any(is_right(side, known[n]) for side in sides)]
 
     def _cover(self, side: DirectedSegment, edges: Sequence[int], at: tuple[int, int]) -> list[int]:
@@ -221,7 +206,7 @@ class _Finder:
         """Find a sum that covers a side from a parameter onward, by (2), and list it."""
         box = self._sums.bound([find_between(side.start, side.end, reach)])
         for k in self._find_around(box):
-            span = clip(self._sides(k), side.start, side.end)
+            span = clip(self._sums.sides(k), side.start, side.end)
             if span and span[1] > reach and _continues(span[0], k, reach, closed):
                 self._last = k
                 self._list(k)
@@ -232,7 +217,6 @@ class _Finder:
         """Find the sums that may contain a point, in the order of (2)."""
         if self._last >= 0:
             yield self._last
-        yield from self._beyond
         yield from self._strips.find_near(box)
         near = (k for k in self._sums.find_near(box) if k not in self._chains)
         yield from sorted(near, key=self._sums.measure, reverse=True)
@@ -241,8 +225,7 @@ class _Finder:
         """Find where a slit ends: at the start of the next sum or edge."""
         start, end = side.start, side.end
         near = self._sums.find_near(self._sums.bound([start, end]))
-        numbers = (*self._beyond, *near)
-        spans = [clip(self._sides(k), start, end) for k in numbers]
+        spans = [clip(self._sums.sides(k), start, end) for k in near]
         spans += [intersect(side, edge) for edge in self._known]
         lows = [span[0] for span in spans if span]
         ahead = (low for low in lows if low > reach or (low == reach and not closed))
@@ -250,12 +233,15 @@ class _Finder:
 
     def write(self, slits: list[DirectedSegment]) -> Covering:
         """Number the listed sums, and then the half-planes."""
-        at = {k: n for n, k in enumerate((*self._listed, *self._beyond))}
+        # Half-planes were listed first.
+        count = len(self._sums.boxes) - self._sums.count
+        planes, listed = self._listed[:count], self._listed[count:]
+        at = {k: n for n, k in enumerate((*listed, *planes))}
         written = {
             k: [[n if n < 0 else at[n] for n in entries] for entries in self._chains[k]] for k in at
         }
-        sums = [[k, written[k]] for k in self._listed]
-        return Covering(sums, [written[k][0] for k in self._beyond], slits)
+        sums = [[k, written[k]] for k in listed]
+        return Covering(sums, [written[k][0] for k in planes], slits)
 
 
 def _continues(low: Fraction, n: int, reach: Fraction, closed: bool) -> bool:

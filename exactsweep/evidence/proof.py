@@ -127,7 +127,7 @@ def _prove_inner_fit(claim: dict[str, Any]) -> dict[str, Any]:
         loops += map(lattice.enter_loop, region["holes"])
     known = [*chain.from_iterable(loops), *lattice.enter_fits(claim["exact_fits"])]
     beyond = [make_side(side.end, side.start) for side in list_sides(positions)]
-    found = find_evidence(Sums(outside, [*map(_turn, moving)]), known, beyond)
+    found = find_evidence(Sums(outside, [*map(_turn, moving)], beyond), known)
     return {
         "frame": ends,
         "outside": lattice.leave(outside),

@@ -11,6 +11,8 @@ from exactsweep.geometry.near import BoxRows
 CellBox = tuple[int, int, int, int]
 """The left, right, low and high end of a box on the grid."""
 
+_Pieces = Sequence[Sequence[Node]]
+
 # The number of columns and of rows of the grid.
 _CELLS = 1 << 30
 
@@ -26,10 +28,13 @@ class Sums:
     """The open sums of convex pieces of two shapes, with their boxes on a grid.
 
     Sum i n + j adds piece i of the first shape, a convex counter-clockwise ring or a segment, and
-    piece j of the n pieces of the second shape, a ring of points with w = 1.
+    piece j of the n pieces of the second shape, a ring of points with w = 1. The open half-planes
+    left of the segments `beyond` follow; they count as sums with one side.
     """
 
-    def __init__(self, first: Sequence[Sequence[Node]], second: Sequence[Sequence[Node]]) -> None:
+    def __init__(
+        self, first: _Pieces, second: _Pieces, beyond: Sequence[DirectedSegment] = ()
+    ) -> None:
         points = [*chain(*first, *second)]
         xs, ys = [x // w for x, _, w in points], [y // w for _, y, w in points]
         self._size = max(max(xs) - min(xs), max(ys) - min(ys)) + 1
@@ -44,10 +49,11 @@ class Sums:
         self.count = len(self.boxes)
         lefts, rights, lows, highs = zip(*self.boxes, strict=True)
         self.box = left, right, low, high = min(lefts), max(rights), min(lows), max(highs)
+        self.boxes += [self.box] * len(beyond)
         # The rows of the search run along the shorter axis.
         self._is_wide = right - left > high - low
         self._rows = BoxRows([self._orient(box) for box in self.boxes])
-        self._sides: dict[int, list[DirectedSegment]] = {}
+        self._sides = {self.count + k: [side] for k, side in enumerate(beyond)}
 
     def _orient(self, box: CellBox) -> CellBox:
         left, right, low, high = box
