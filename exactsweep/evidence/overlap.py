@@ -11,7 +11,6 @@ from exactsweep.geometry.distance import (
     SquaredDistance,
     distance_squared,
     find_foot,
-    measure_to_edge,
 )
 from exactsweep.geometry.edges import EdgeIndex, Rings
 from exactsweep.geometry.intersection import (
@@ -98,14 +97,8 @@ class Overlap:
         found = solve_pair(self.a, self.b)
         loops = [found.trajectory, *found.holes]
         edges = [edge for loop in loops for edge in zip(loop, (*loop[1:], loop[0]), strict=True)]
-        edges += found.fits
-        squares = [Fraction(*measure_to_edge(ORIGIN, edge)) for edge in edges]
-        least = min(squares)
-        return min(
-            find_foot(ORIGIN, edge)
-            for edge, square in zip(edges, squares, strict=True)
-            if square == least
-        )
+        feet = (find_foot(ORIGIN, edge) for edge in (*edges, *found.fits))
+        return min(feet, key=lambda p: (p.x * p.x + p.y * p.y, p))
 
     @property
     def depth_squared(self) -> Fraction:

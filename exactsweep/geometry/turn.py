@@ -15,14 +15,13 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property, lru_cache
-from math import isqrt, lcm
 from threading import Lock
 from typing import NamedTuple
 
 from exactsweep.geometry.reading import read_point
 from exactsweep.numbers.digits import abridge, format_fraction
 from exactsweep.numbers.error import NumberError
-from exactsweep.numbers.number import Point, find_simplest_fraction, to_fraction
+from exactsweep.numbers.number import Point, find_root, find_simplest_fraction, to_fraction
 
 TURN_BITS = 64
 """The default precision: the error of a rational rotation is at most 2**-64."""
@@ -106,15 +105,13 @@ def read_turn(by: object) -> Turn:
     if not isinstance(by, Iterable) or isinstance(by, str):
         return _turn_by(to_fraction(by) % 360)
     x, y = read_point(by, "direction")
-    scale = lcm(x.denominator, y.denominator)
-    square = int(x * scale) ** 2 + int(y * scale) ** 2
-    length = isqrt(square)
-    if not length or length * length != square:
+    length = find_root(x * x + y * y)
+    if not length:
         raise NumberError(
             f"the direction ({abridge(x)}, {abridge(y)}) has no positive rational length, "
             "unlike (3, 4) and (5, 12)"
         )
-    exact = x * scale / length, y * scale / length
+    exact = x / length, y / length
     return Turn(Fraction(90 * _QUARTERS.index(exact)) if exact in _QUARTERS else None, exact)
 
 
@@ -129,9 +126,7 @@ def find_rational_turn(degrees: Fraction, bits: int) -> RationalTurn:
     """Find a rational rotation with few digits and an error of at most 2**-bits, by (2)."""
     if not 1 <= bits <= MAX_TURN_BITS:
         raise NumberError(f"bits={bits}: not from 1 to {MAX_TURN_BITS}")
-    quarter, rest = divmod(degrees % 360, 90)
-    if not rest:
-        return RationalTurn(*_QUARTERS[quarter], _ZERO)
+    quarter, rest = divmod(degrees, 90)
     off = Fraction(1, 2 ** (bits + 1))
     low, high = bound_half_tangent(rest, bits)
     # Any number strictly between these is within `off` of every number in [low, high].
