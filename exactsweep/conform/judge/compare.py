@@ -52,7 +52,7 @@ def compare(
     """Compare an answer with the exact one of its case.
 
     Args:
-        case: the case.
+        case: the case that was asked.
         result: the answer as plain data: a mapping with some of `LOOPS`, as for `read_loop`;
             "exact_fits" and "inner_exact_fits", lists of pairs of points; and optionally the "id"
             of the case.

@@ -15,8 +15,8 @@ from exactsweep.processes import ChildProcess
 
 _CHUNK = 65536
 _LAST_CHUNKS = 16
-_POLL_SECONDS = 0.2  # seconds between checks of memory and exit
-_EXIT_SECONDS = 1.0  # seconds to exit after a process closes its output
+_POLL_SECONDS = 0.2  # between checks of memory and exit
+_EXIT_SECONDS = 1.0  # for the exit after a process closes its output
 
 
 class ChannelError(Exception):

@@ -15,8 +15,8 @@ from exactsweep.corpus import Case
 from exactsweep.formats.exact_json import describe_kind
 from exactsweep.numbers.error import quote
 
-START_SECONDS = 30.0  # seconds until the hello
-EXIT_SECONDS = 2.0  # seconds until the exit after bye
+START_SECONDS = 30.0  # until the hello
+EXIT_SECONDS = 2.0  # until the exit after bye
 
 
 class Terms(NamedTuple):

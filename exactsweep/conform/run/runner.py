@@ -13,8 +13,8 @@ from exactsweep.corpus import Case
 from exactsweep.corpus.selection import require_distinct
 from exactsweep.numbers.error import explain_type_errors
 
-SHRINK_SECONDS = 20.0  # seconds for shrinking one failure
-MAX_SHRINK_SECONDS = 120.0  # seconds for shrinking all failures
+SHRINK_SECONDS = 20.0  # for shrinking one failure
+MAX_SHRINK_SECONDS = 120.0  # for shrinking all failures
 
 
 def judge_cases(
@@ -86,12 +86,12 @@ def conform(
             `numbers`. It returns the members of an answer of the protocol without the id, or its
             only member, with vertices of any type that `make_plain` reads. An exception is a crash;
             NotImplementedError means unsupported.
-        cases: the cases.
+        cases: the cases to judge.
         name: the name of the program.
         loops: as for `Hello`, like the next four.
         numbers: the numbers that the function takes.
         reference: its reference point of G.
-        questions: its questions.
+        questions: the questions that it answers.
         shapes: the pairs that it accepts.
         seconds: the time limit of an answer; a function is not stopped.
         accepted: the worst verdict that passes.

@@ -57,15 +57,17 @@ class Family(NamedTuple):
         return self.description.partition("\n")[0]
 
 
-def _list_families() -> Iterator[Family]:
-    for level, (module, names) in LEVELS.items():
-        for name in names.split():
-            make = getattr(module, f"{name.replace('-', '_')}_pair")
-            flags = (FLAGS[name],) if name in FLAGS else ()
-            yield Family(name, level, make, flags, respelled=name == "respelled")
-
-
-FAMILIES: dict[str, Family] = {family.name: family for family in _list_families()}
+FAMILIES: dict[str, Family] = {
+    name: Family(
+        name,
+        level,
+        getattr(module, f"{name.replace('-', '_')}_pair"),
+        (FLAGS[name],) if name in FLAGS else (),
+        respelled=name == "respelled",
+    )
+    for level, (module, names) in LEVELS.items()
+    for name in names.split()
+}
 
 
 @explain_type_errors
