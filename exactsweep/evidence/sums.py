@@ -11,7 +11,7 @@ from exactsweep.geometry.near import BoxRows
 CellBox = tuple[int, int, int, int]
 """The left, right, low and high end of a box on the grid."""
 
-_Pieces = Sequence[Sequence[Node]]
+_PieceList = Sequence[Sequence[Node]]
 
 # The number of columns and of rows of the grid.
 _CELLS = 1 << 30
@@ -33,7 +33,7 @@ class Sums:
     """
 
     def __init__(
-        self, first: _Pieces, second: _Pieces, beyond: Sequence[DirectedSegment] = ()
+        self, first: _PieceList, second: _PieceList, beyond: Sequence[DirectedSegment] = ()
     ) -> None:
         points = [*chain(*first, *second)]
         xs, ys = [x // w for x, _, w in points], [y // w for _, y, w in points]
