@@ -84,11 +84,11 @@ Definition displaced (z : qpoint) (unit : positive) (x : side * Q) : list qpoint
   let foot := (fst (fst e) + t * fst v, snd (fst e) + t * snd v) in
   flat_map (fun n =>
     let q := Qred (radius * radius * inject_Z (Zpos unit ^ 4) / square_of n) in let m := Z.sqrt (Qnum q / QDen q) in
-    map (fun k => let s := k # unit * unit in reduced (fst foot + s * fst n, snd foot + s * snd n)) [m - 1; m + 2; 1 - m; - m - 2]%Z)
+    map (fun k => let s := k # unit * unit in (fst foot + s * fst n, snd foot + s * snd n)) [m - 1; m + 2; 1 - m; - m - 2]%Z)
     (map reduced [vector foot z; across e; (1, 0)]).
 Definition units : list positive := map (fun k => 2 ^ k)%positive [1; 2; 4; 8; 16; 32; 64; 128; 256; 512]%positive.
 Definition near (belongs : qpoint -> bool) (f : Statements.figure) (r : Q) (z : qpoint) : bool :=
-  let is_right p := if Statements.less (Statements.dist2 p z) (r * r) then belongs p else false in let es := borders f in
+  let is_right p := if Statements.less (Statements.dist2 p z) (r * r) then belongs (reduced p) else false in let es := borders f in
   if is_right z then true else some (fun unit => some (fun x => some is_right (displaced z unit x)) es) units.
 (* A body: whether it is the complement of a figure, the figure, and the distance from it *)
 Definition figure_of (l : Statements.layout) (b : Statements.body) : option (bool * Statements.figure * Q) :=
@@ -269,11 +269,12 @@ Qed.
 Lemma near_spec belongs f r z : 0 < r -> near belongs f r z = true ->
   exists p, belongs p = true /\ exists a, 0 <= a < r /\ Statements.dist2 p z <= a * a.
 Proof.
-  intros R H. assert (X : exists p, Statements.less (Statements.dist2 p z) (r * r) && belongs p = true).
-  { unfold near in H. cbv zeta in H. destruct (if Statements.less (Statements.dist2 z z) (r * r) then belongs z else false) eqn:Z; [exists z; exact Z|].
+  intros R H. assert (X : exists p, Statements.less (Statements.dist2 p z) (r * r) && belongs (reduced p) = true).
+  { unfold near in H. cbv zeta in H. destruct (if Statements.less (Statements.dist2 z z) (r * r) then belongs (reduced z) else false) eqn:Z; [exists z; exact Z|].
     apply some_exists in H as (u & _ & H). apply some_exists in H as (x & _ & H). apply some_exists in H as (p & _ & H). exists p. exact H. }
-  destruct X as (p & X). apply andb_prop in X as (L & B). apply Covers.less_true in L. exists p. split; [exact B|].
-  exact (root_below _ r (dist2_nonneg p z) ltac:(lra) L).
+  destruct X as (p & X). apply andb_prop in X as (L & B). apply Covers.less_true in L. exists (reduced p). split; [exact B|].
+  assert (E : Statements.dist2 (reduced p) z == Statements.dist2 p z) by (unfold Statements.dist2, reduced; cbn [fst snd]; rewrite !Qred_correct; reflexivity).
+  destruct (root_below _ r (dist2_nonneg p z) ltac:(lra) L) as (a & A & D). exists a. rewrite E. auto.
 Qed.
 Theorem fault_sound l f z : check_fault l f z = true -> Statements.has l f.
 Proof.
