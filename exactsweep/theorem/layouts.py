@@ -26,7 +26,7 @@ FAULTS = {
 def read_layout(c: Any) -> dict[str, Any]:
     """Read a layout; raise Refused if its form is wrong."""
     WORK.set([inf, 1.0])
-    find_bodies(read("", c, JUDGED))
+    find_bodies(read("", {**c, "proof": None}, JUDGED))  # the proof is for Coq
     given, distances = c["layout"], {}
     container, parts = given.get("container"), {part["id"]: part for part in given["parts"]}
     for key in ("spacing", "margin"):

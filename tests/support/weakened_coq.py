@@ -10,12 +10,13 @@ import json
 import subprocess
 from collections.abc import Iterable, Iterator
 from contextlib import suppress
+from fractions import Fraction
 from pathlib import Path
 from random import Random
 from tempfile import TemporaryDirectory
 from typing import Any
 
-from certified import L, rect
+from certified import L, certificates, rect
 
 from exactsweep import (
     Polyline,
@@ -25,6 +26,8 @@ from exactsweep import (
     no_fit_polygon,
     sweep,
 )
+from exactsweep.check.standalone import area, edges, node
+from exactsweep.evidence.proof import add_proof
 from exactsweep.layout import Layout, LayoutError, judge_layout
 from exactsweep.theorem.claims import to_claim, write_numbers
 from exactsweep.theorem.extracted import build_checker
@@ -173,8 +176,47 @@ def list_layouts() -> Iterator[dict[str, Any]]:
     yield {"parts": [{"id": "a", "exterior": twice}], "placements": one}
 
 
+def list_falsified() -> Iterator[dict[str, Any]]:
+    """List false claims, each of which violates a condition alone, or nearly so."""
+    known = certificates()
+    # Loops without their holes: sides of sums are not covered.
+    ring = Region(rect(0, 0, 6, 6), [rect(1, 1, 5, 5)])
+    yield {**no_fit_polygon(ring, square(0, 0)).certificate(), "holes": []}
+    yield {**known["island"], "regions": [{**known["island"]["regions"][0], "holes": []}]}
+    swept = known["unswept"]
+    lost = sum(area(edges([node(*map(Fraction, p)) for p in e])) for e in swept["unswept"])
+    yield {**swept, "unswept": [], "area": str(Fraction(swept["area"]) + lost)}
+    # Another inner loop
+    yield add_proof({**swept, "inner": swept["unswept"][0], "unswept": [swept["inner"]]})
+    # Two squares, and a loop around one of them; a ring that goes around twice
+    made = no_fit_polygon(square(0, 0), square(0, 0)).certificate()
+    far = [*rect(0, 0, 1, 1)[:2], *rect(9, 0, 10, 1), *rect(9, 0, 1, 1)[:2], *rect(0, 0, 1, 1)[2:]]
+    for around, other in ((far, square(9, 0)), (square(0, 0) * 2, square(0, 0))):
+        proof = {**made["proof"], "directrix": [square(0, 0), other]}
+        yield {**made, "directrix": {"exterior": around}, "proof": proof}
+    # The hole of a region in another one
+    rooms = [(0, 0), (9, 0), (9, 4), (10, 4), (10, 0), (19, 0), (19, 9), (10, 9), (10, "9/2")]
+    rooms += [(9, "9/2"), (9, 9), (0, 9)]
+    made = inner_fit_polygon(Region(rooms, [rect(4, 4, 5, 5)]), square(0, 0)).certificate()
+    (one, other), holes = made["regions"], made["regions"][0]["holes"] + made["regions"][1]["holes"]
+    moved = other if one["holes"] else one
+    kept = one if one["holes"] else other
+    yield add_proof({**made, "regions": [{**kept, "holes": []}, {**moved, "holes": holes}]})
+    # A container with a hole, parts that leave the frame, pieces of a half of a part
+    unit, box = {"id": "a", "exterior": square(0, 0)}, {"exterior": square(0, 0, 3)}
+    place = {"part": "a", "move": ["1", "1"]}
+    layout = {"parts": [unit], "placements": [place], "container": box}
+    made = judge_layout(Layout.from_json(layout)).certificate()
+    yield {**made, "layout": {**layout, "container": {**box, "holes": [square(1, 1)]}}}
+    yield {**made, "layout": {**layout, "placements": [{**place, "move": ["90", "90"]}]}}
+    layout = {"parts": [{**unit, "exterior": rect(0, 0, 1, 2)}], "placements": [place]}
+    layout["placements"] = [place, {**place, "move": ["1", "2"]}]
+    pieces = {"pieces": [[square(0, 0)], None], "apart": []}
+    yield {**made, "layout": layout, "turns": [["1", "0"]] * 2, "proof": pieces}
+
+
 def list_claims() -> list[str]:
-    """Return small claims of all kinds."""
+    """Return small claims of all kinds, and false ones."""
     found = list[Any]()
     for layout in list_layouts():
         with suppress(LayoutError):  # claims without a proof
@@ -196,6 +238,7 @@ def list_claims() -> list[str]:
             found.append(sweep(g, d).certificate())
     for path in ([(0, 0), (2, 0)], [(0, 0), (2, 0), (2, 2), (0, 2), (0, 0)]):
         found.append(minkowski_sum(Region(square(0, 0)), Polyline(path)).certificate())
+    found += list_falsified()
     lines = (write_numbers(to_claim(json.loads(json.dumps(one)))) for one in found)
     return sorted(lines, key=len)
 

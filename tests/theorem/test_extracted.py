@@ -18,7 +18,7 @@ from certified import SQUARE as UNIT
 from command import run
 from compare_checkers import compare
 from falsify import change
-from weakened_coq import weaken
+from weakened_coq import list_falsified, weaken
 
 from exactsweep import Polyline, Region, inner_fit_polygon, minkowski_sum, no_fit_polygon, sweep
 from exactsweep.check.standalone import Refused
@@ -212,6 +212,13 @@ def test_both_checkers_agree_on_true_and_changed_certificates() -> None:
     found = Counter(compare(change(one, rng)[1], 60) for one in true for _ in range(5))
     assert not [kind for kind in found if kind.startswith("DIFFERENT")]
     assert 0 < found["both prove"] < found["both reject"]
+
+
+@needs_tools
+@pytest.mark.long
+def test_false_certificates_are_rejected_by_single_conditions() -> None:
+    falsified = json.loads(json.dumps([*list_falsified()]))
+    assert {ask(one) for one in falsified} == {"rejected"}
 
 
 @needs_tools
