@@ -165,6 +165,10 @@ def is_convex(points: Ring) -> bool:
 def read(name: str, item: Any, form: Any) -> Any:
     """Read a value by its form."""
     # (form, default) if optional, [form of entries], {key: form}, a type, or a function.
+    if isinstance(form, type):
+        is_right = type(item) is form and (type(item) is not int or abs(item) < 10**9)
+        need(is_right, f"{name}: not of type {form.__name__}{' below 10^9' * (form is int)}")
+        return item
     if isinstance(form, tuple):
         item = form[1] if item is None else item
         return None if item is None else read(name, item, form[0])
@@ -179,10 +183,6 @@ def read(name: str, item: Any, form: Any) -> Any:
         need(is_object, f"{name or 'certificate'}: not an object with keys {' '.join(form)}")
         keys = ((key, f"{name}.{key}".lstrip("."), own) for key, own in form.items())
         return SimpleNamespace(name=name, **{k: read(at, item.get(k), own) for k, at, own in keys})
-    if isinstance(form, type):
-        is_right = type(item) is form and (type(item) is not int or abs(item) < 10**9)
-        need(is_right, f"{name}: not of type {form.__name__}{' below 10^9' * (form is int)}")
-        return item
     return form(name, item)
 
 
@@ -394,7 +394,7 @@ def clip(sides: Sequence[Any], a: Point, b: Point, closed: bool = False) -> Span
                 low = -at_a, at_b - at_a
         elif at_b < least and at_a * high[1] < high[0] * (at_a - at_b):
             high = at_a, at_a - at_b
-    start, end = (n if m == 1 else Fraction(n, m) for n, m in (low, high))
+    start, end = [n if m == 1 else Fraction(n, m) for n, m in (low, high)]
     return (start, not closed, end) if start < end + closed and start <= end else None
 
 
@@ -459,7 +459,7 @@ def boundary(name: str, d: Rings, h: Rings, known: Any, listed: Any, *beyond: An
     meetings = dict[Any, Any]()
     for k, j, _ in near(boxes, boxes, touch=1):
         e, f = known[k], known[j]
-        if k != j and (span := clip_on(f, *e[:2])):  # from 0 to 1 for a fit of one point
+        if k != j and (k < j or e.start == e.end) and (span := clip_on(f, *e[:2])):  # points first
             is_end = e.loop != f.loop or not e.loop or e.end == f.start or e.start == f.end
             is_once = span[0] == span[2] and is_end
             if e.loop != f.loop and e.region and e.region == f.region:

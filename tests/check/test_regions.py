@@ -64,7 +64,7 @@ FALSE = {
     "a hole around its exterior": (pocket, "regions[1].holes[0]: winding number 1, expected 0"),
     "a hole that crosses its exterior": (
         lenses,
-        "regions[0].holes[0], edge 6: meets regions[0].exterior, edge 12",
+        "regions[0].exterior, edge 12: meets regions[0].holes[0], edge 6",
     ),
 }
 
