@@ -32,7 +32,7 @@ class CanonicalRing(NamedTuple):
 def canonicalize_ring(points: Sequence[Vertex]) -> CanonicalRing:
     """Convert a closed polygonal line of lattice points to canonical form.
 
-    Either orientation, equal neighbours and collinear vertices are allowed. Raises PolygonError for
+    Either orientation, equal neighbors and collinear vertices are allowed. Raises PolygonError for
     fewer than three distinct points, zero area, a spike, or a line that touches or crosses itself.
     Cost: O(n) for a convex ring, otherwise as for `find_conflict`.
 
@@ -41,13 +41,10 @@ def canonicalize_ring(points: Sequence[Vertex]) -> CanonicalRing:
     (((0, 0), (2, 0), (2, 2)), (3, 1, 0), (1, 0, 3))
     """
     is_long = any(isinstance(c, Fraction) for p in points[:1] for c in p)
-    # The code below only compares, subtracts and multiplies them.
+    # The code below only subtracts, multiplies and compares them.
     compared = cast(Sequence[Vertex], unreduced_points(points)) if is_long else points
     ring, vertices, edges = _join_equal(compared)
     turns = find_turns(ring)
-    if is_long:
-        # Only the signs are used.
-        turns = [(turn > 0) - (turn < 0) for turn in turns]
     if not any(turns):
         distinct = len(set(points))
         raise PolygonError(

@@ -183,9 +183,9 @@ def _rotate_through(ring: Sequence[Vertex]) -> Directions:
     for u, group in groupby(order, key=normals.__getitem__):
         weak = changes
         for k in group:
-            # Neighbours are not parallel, so the neighbours of an edge perpendicular to u are not
+            # Neighbors are not parallel, so the neighbors of an edge perpendicular to u are not
             # perpendicular to u. So the pairs counted here are disjoint, and removing the edge
-            # joins its two neighbours.
+            # joins its two neighbors.
             before = local(k)
             weak += (forward[k - 1] != forward[(k + 1) % n]) - before
             forward[k] = not forward[k]

@@ -65,7 +65,7 @@ def distance_squared(a: Region | Vertices, b: Region | Vertices) -> SquaredDista
 class _EdgeTree:
     """A binary tree of boxes (left, right, low, high) of the edges of a shape.
 
-    `levels[0]` has the boxes of the edges. Each box of a later level encloses two neighbours of the
+    `levels[0]` has the boxes of the edges. Each box of a later level encloses two neighbors of the
     previous level; the last level has one box.
     """
 

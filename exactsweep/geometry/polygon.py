@@ -35,7 +35,7 @@ class Polygon(PointSet):
     Args:
         vertices: pairs of numbers that `to_fraction` accepts, a Polygon, or an object with a
             `__geo_interface__`, such as a shapely polygon, in either orientation. The first vertex
-            may be repeated at the end; equal neighbours and collinear vertices are allowed.
+            may be repeated at the end; equal neighbors and collinear vertices are allowed.
 
     Raises:
         PolygonError: vertices that are not pairs, fewer than three distinct ones, zero area, a

@@ -120,9 +120,8 @@ def _find_fault(
         return None
     for name, value in bound.arguments.items():
         parameter = signature.parameters[name]
-        if parameter.kind in (parameter.VAR_KEYWORD, parameter.VAR_POSITIONAL):
-            continue
-        if parameter.annotation is parameter.empty:  # self
+        is_variadic = parameter.kind in (parameter.VAR_KEYWORD, parameter.VAR_POSITIONAL)
+        if is_variadic or parameter.annotation is parameter.empty:  # such as self
             continue
         hint = _resolve(parameter.annotation, function)
         if not _fits(value, hint):

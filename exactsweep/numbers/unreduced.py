@@ -30,6 +30,9 @@ class Unreduced:
     def __mul__(self, other: Unreduced) -> Unreduced:
         return Unreduced(self.n * other.n, self.d * other.d)
 
+    def __bool__(self) -> bool:
+        return self.n != 0
+
     def _sign(self, other: Unreduced | int) -> int:
         """Return a number of the sign of the difference; an int operand must be 0."""
         return self.n if isinstance(other, int) else (self - other).n
