@@ -7,7 +7,7 @@ from functools import reduce
 from pathlib import Path
 from typing import Any, NamedTuple
 
-from exactsweep.check.standalone import FORMAT, PROVERS, VERSION, load
+from exactsweep.check.standalone import FORMAT, PROVERS, VERSION, load, read
 from exactsweep.theorem import readers
 from exactsweep.theorem.layouts import read_faults, read_layout, read_normals, read_points
 from exactsweep.theorem.terms import TheoremError, write_words
@@ -90,15 +90,16 @@ class CoqClaim(NamedTuple):
 
 
 def to_claim(certificate: Any) -> CoqClaim:
-    """Return the claim of a certificate of version 3 that conforms to the schema.
+    """Return the claim of a certificate.
 
-    Raises TheoremError for other versions.
+    Raises TheoremError for other versions or claims, and Refused if its form is wrong.
     """
     if (certificate["format"], certificate["version"]) != (FORMAT, VERSION):
         raise TheoremError(f"not a certificate of version {VERSION}")
     kind = certificate["claim"]
     if kind not in PROVERS:
         raise TheoremError("not a known claim")
+    read("", certificate, PROVERS[kind][0])
     if kind == "layout" and certificate["valid"] is False:
         kind = "faults"
     statement, evidence = (

@@ -6,8 +6,16 @@ from fractions import Fraction
 from math import ceil, inf
 from typing import Any
 
-from exactsweep.check.standalone import JUDGED, WORK, find_bodies, read, rotation, rotation_error
-from exactsweep.theorem.readers import RationalRing, read_rational, read_ring, read_shape
+from exactsweep.check.standalone import (
+    JUDGED,
+    WORK,
+    find_bodies,
+    place,
+    read,
+    rings_of,
+    rotation_error,
+)
+from exactsweep.theorem.readers import RationalPoint, RationalRing, read_ring
 from exactsweep.theorem.terms import Constructor, Number, TheoremError, option
 
 BITS = 16  # precision of rotation errors, which are rounded up
@@ -26,69 +34,60 @@ FAULTS = {
 def read_layout(c: Any) -> dict[str, Any]:
     """Read a layout; raise Refused if its form is wrong."""
     WORK.set([inf, 1.0])
-    find_bodies(read("", {**c, "proof": None}, JUDGED))  # the proof is for Coq
-    given, distances = c["layout"], {}
-    container, parts = given.get("container"), {part["id"]: part for part in given["parts"]}
-    for key in ("spacing", "margin"):
-        distances[key] = read_rational(given.get(key) or "0")
-    defects = [
-        (_figure(e), read_rational(e.get("spacing") or given.get("margin") or "0"))
-        for e in given.get("defects") or []
-    ]
-    is_open = container is None or container.get("pieces") == []
-    placed = zip(given["placements"], c["turns"], strict=True)
+    found = read("", {**c, "proof": None}, JUDGED)  # the proof is for Coq
+    find_bodies(found)
+    given, parts = found.layout, {part.id: part for part in found.layout.parts}
+    far = [given.margin if e.spacing is None else e.spacing for e in given.defects]
+    placed = zip(given.placements, found.turns, strict=True)
     return {
-        "sheet": option(None if is_open else _figure(container)),
-        "obstacles": defects,
-        "kinds": [*map(_part, parts.values())],
-        "placements": [_placement(e, to, parts) for e, to in placed],
-        **distances,
+        "sheet": option(None if given.container.pieces == [] else _figure(given.container)),
+        "obstacles": [*zip(map(_figure, given.defects), map(Fraction, far), strict=True)],
+        "kinds": [*map(_part, given.parts)],
+        "placements": [_placement(e, place(to), parts) for e, to in placed],
+        "spacing": Fraction(given.spacing),
+        "margin": Fraction(given.margin),
     }
 
 
-def _figure(item: Any) -> dict[str, Any]:
-    pieces = item.get("pieces")
-    rings = {"exterior": item.get("exterior"), "holes": item.get("holes")}
-    rounded = [
-        (read_ring(e["points"]), read_rational(e.get("radius") or "0")) for e in pieces or []
-    ]
-    outline = read_shape(rings) if pieces is None else []
-    error = read_rational(item.get("error") or "0")
-    return {"outline": outline, "rounded": rounded, "error": error}
+def _figure(body: Any) -> dict[str, Any]:
+    rings = rings_of(body) if body.pieces is None else []
+    return {
+        "outline": [[*map(place, points)] for points in rings],
+        "rounded": [([*map(place, e.points)], Fraction(e.radius)) for e in body.pieces or ()],
+        "error": Fraction(body.error),
+    }
 
 
 def _part(part: Any) -> dict[str, Any]:
-    demand, turns, others = (part.get(key) for key in ("demand", "turns", "mirrored_turns"))
-    others = turns if others is None else others
+    others = part.turns if part.mirrored_turns is None else part.mirrored_turns
     return {
         "form": _figure(part),
-        "demand": option(None if demand is None else Number(demand, "N")),
-        "rotations": option(None if turns is None else [*map(_rotation, turns)]),
-        "mirrored_rotations": option(None if others is None else [*map(_rotation, others)]),
-        "may_mirror": part.get("mirrored") is not False,
+        "demand": option(None if part.demand is None else Number(part.demand, "N")),
+        "rotations": _rotations(part.turns),
+        "mirrored_rotations": _rotations(others),
+        "may_mirror": part.mirrored,
     }
 
 
-def _rotation(item: Any) -> Constructor:
-    found = rotation("turn", item)
-    if type(found) is tuple:
-        return Constructor(0, "Statements.Rational", tuple(map(Fraction, found)))
-    return Constructor(1, "Statements.Degrees", (Fraction(found),))
+def _rotations(turns: Any) -> Constructor:
+    return option(None if turns is None else [*map(_rotation, turns)])
 
 
-def _placement(item: Any, turn: Any, parts: dict[str, Any]) -> dict[str, Any]:
-    asked, to = (rotation("turn", e) for e in (item.get("turn") or "0", turn))
-    cosine, sine = map(Fraction, to)
-    degrees, slack = None, Fraction(0)
-    if asked != to:
-        degrees, figure = Fraction(asked), _figure(parts[item["part"]])
+def _rotation(turn: Any) -> Constructor:
+    if type(turn) is tuple:
+        return Constructor(0, "Statements.Rational", tuple(map(Fraction, turn)))
+    return Constructor(1, "Statements.Degrees", (Fraction(turn),))
+
+
+def _placement(item: Any, to: RationalPoint, parts: dict[str, Any]) -> dict[str, Any]:
+    names, degrees, slack = ("mirrored", "cosine", "sine", "shift"), None, Fraction(0)
+    if item.turn != to:
+        degrees, figure = Fraction(item.turn), _figure(parts[item.part])
         rings = [*figure["outline"], *(points for points, _ in figure["rounded"])]
         reach = max(abs(x) + abs(y) for points in rings for x, y in points)
-        slack = _round_up(reach * rotation_error(to, asked))
-    (shift,) = read_ring([item["move"]])
-    names = ("mirrored", "cosine", "sine", "shift")
-    by = dict(zip(names, (item.get("mirrored") is True, cosine, sine, shift), strict=True))
-    kind = Number([*parts].index(item["part"]))
+        slack = _round_up(reach * rotation_error(to, item.turn))
+    by = dict(zip(names, (item.mirrored, *to, place(item.move)), strict=True))
+    kind = Number([*parts].index(item.part))
     return {"kind": kind, "by_motion": by, "degrees": option(degrees), "slack": slack}
 
 
