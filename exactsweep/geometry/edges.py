@@ -57,31 +57,11 @@ class EdgeIndex:
         """Return the edges whose boxes meet a box, sorted by their left ends."""
         return [self.edges[k] for k in sorted(self._rows.find(box))]
 
-    def moved(self, box: Bounds, x: Rational, y: Rational, scale: int) -> list[BoxedEdge]:
-        """Return the edges, times a scale and translated, that are near a box.
-
-        They are sorted by their left ends.
-        """
+    def near_moved(self, box: Bounds, x: Rational, y: Rational, scale: int) -> list[BoxedEdge]:
+        """Return the edges that `move_edge` moves near a box, sorted likewise."""
         left, right, low, high = box
-        near = (
-            (left - x) // scale,
-            -((x - right) // scale),
-            (low - y) // scale,
-            -((y - high) // scale),
-        )
-        return [
-            (
-                west * scale + x,
-                east * scale + x,
-                south * scale + y,
-                north * scale + y,
-                (ax * scale + x, ay * scale + y),
-                (bx * scale + x, by * scale + y),
-                ring,
-                k,
-            )
-            for west, east, south, north, (ax, ay), (bx, by), ring, k in self.near(near)
-        ]
+        columns = (left - x) // scale, -((x - right) // scale)
+        return self.near((*columns, (low - y) // scale, -((y - high) // scale)))
 
     def contains(self, x: Rational, y: Rational, scale: int) -> bool:
         """Decide by ray casting whether (x / scale, y / scale), not on an edge, is inside."""
@@ -90,6 +70,14 @@ class EdgeIndex:
             return False
         ray = left // 1, -(-x // scale), y // scale, -(-y // scale)
         return _is_around(x, y, ((edge[4], edge[5]) for edge in self.near(ray)), scale)
+
+
+def move_edge(edge: BoxedEdge, x: Rational, y: Rational, scale: int) -> BoxedEdge:
+    """Multiply an edge by a scale, then translate it by (x, y)."""
+    left, right, low, high, (ax, ay), (bx, by), ring, k = edge
+    a, b = (ax * scale + x, ay * scale + y), (bx * scale + x, by * scale + y)
+    columns = left * scale + x, right * scale + x
+    return (*columns, low * scale + y, high * scale + y, a, b, ring, k)
 
 
 def is_inside(point: Vertex, rings: Rings) -> bool:

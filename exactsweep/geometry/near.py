@@ -1,5 +1,7 @@
 """The search for intersecting boxes, in rows sorted by left ends.
 
+It serves edges (`edges`), contact segments (`procedures.crossings`) and placed parts (`layout`).
+
 (1) A row is at least as high as the mean box, so n boxes have at most 2 n entries in all rows.
 (2) The lower side of the intersection of two boxes lies in one row, so each pair is found once.
 """
@@ -15,7 +17,7 @@ Bounds = tuple[Rational, Rational, Rational, Rational]
 """The left, right, low and high end of a closed box."""
 
 PER_ROW = 16
-"""The mean number of boxes in a row. Values from 8 to 64 are equally fast."""
+"""The mean number of boxes per row. Values from 8 to 64 are equally fast."""
 
 _Entry = tuple[Rational, Rational, Rational, Rational, int]
 

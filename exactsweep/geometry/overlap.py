@@ -21,7 +21,7 @@ from collections import defaultdict
 from collections.abc import Iterable, Mapping, Sequence
 from enum import Enum
 
-from exactsweep.geometry.edges import BoxedEdge, EdgeIndex, Rings
+from exactsweep.geometry.edges import BoxedEdge, EdgeIndex, Rings, move_edge
 from exactsweep.geometry.near import PER_ROW, Bounds
 from exactsweep.geometry.vectors import is_on_segment, minus, touch
 from exactsweep.numbers.number import Rational, Vertex
@@ -43,8 +43,8 @@ def relate(
 ) -> Relation:
     """Find the relation of two shapes, or a shape and a path, the second at (x / scale, y / scale).
 
-    Only edges that meet the intersection of the two boxes are examined. Cost: one
-    `EdgeIndex.near` per such edge.
+    Cost: one search for the edges in the intersection of the two boxes, and one more for each edge
+    there if they are many.
 
     >>> square = EdgeIndex([[(0, 0), (2, 0), (2, 2), (0, 2)]])
     >>> [relate(square, square, k, k).value for k in (1, 2, 3)]
@@ -77,10 +77,18 @@ def _find_cones(
     cones: defaultdict[Vertex, tuple[set[_EdgeCone], set[_EdgeCone]]]
     cones = defaultdict(lambda: (set(), set()))
     along: list[tuple[Sequence[Vertex], BoxedEdge, BoxedEdge]] = []
-    others = part.moved(box, *position)
-    for edge in shape.moved(box, 0, 0, position[2]):
+    near = part.near_moved(box, *position)
+    # A search takes as long as a scan of the edges in one row.
+    is_few = len(near) <= PER_ROW
+    others = [move_edge(other, *position) for other in near] if is_few else []
+    origin = 0, 0, position[2]
+    for found in shape.near_moved(box, *origin):
+        edge = move_edge(found, *origin)
         left, right, low, high, p, q, _, _ = edge
-        for other in others if len(others) <= PER_ROW else part.moved(edge[:4], *position):
+        if not is_few:
+            near = part.near_moved(edge[:4], *position)
+            others = [move_edge(other, *position) for other in near]
+        for other in others:
             west, east, south, north, a, b, _, _ = other
             if west > right:
                 break

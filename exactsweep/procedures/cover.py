@@ -18,6 +18,7 @@ from math import isqrt
 from operator import or_
 
 from exactsweep.geometry.edges import Rings
+from exactsweep.geometry.near import bound_points
 from exactsweep.procedures.segments import ContactSegment
 
 _FEW, _CROSSINGS = 250, Fraction(4, 5)
@@ -59,8 +60,8 @@ def leave_out_covered(
 
 def _find_extent(rings: Rings) -> int:
     """Return the greater of the width and the height of a shape, rounded down."""
-    columns = zip(*chain.from_iterable(rings), strict=True)
-    return int(max(max(values) - min(values) for values in columns))
+    left, right, low, high = bound_points(chain.from_iterable(rings))
+    return max(right - left, high - low) // 1
 
 
 def add_squares(stationary: Rings, moving: Rings, side: int) -> tuple[int, int, list[int]]:
@@ -87,19 +88,19 @@ def find_squares(rings: Rings, side: int) -> tuple[int, int, list[int], list[int
 
     A square that meets an edge may also be among those inside.
     """
-    xs, ys = zip(*chain.from_iterable(rings), strict=True)
-    left, low = int(min(xs) // side) - 1, int(min(ys) // side) - 1
-    near = [0] * (int(max(xs) // side) - left + 1)
+    left, right, low, _ = (c // side for c in bound_points(chain.from_iterable(rings)))
+    left, low = left - 1, low - 1
+    near = [0] * (right - left + 1)
     odd = near[:]
     for (px, py), (qx, qy) in (
         sorted(edge) for ring in rings for edge in pairwise([ring[-1], *ring])
     ):
-        dx, dy = qx - px, qy - py
-        for k in range(-(-px // side) - 1, qx // side + 1):
-            # The heights of the edge at both borders of the column, or at its ends, times dx.
-            x, u = max(k * side, px), min((k + 1) * side, qx)
-            start, end = (py, qy) if dx == 0 else (py * dx + (x - px) * dy, py * dx + (u - px) * dy)
-            unit = side * (dx or 1)
+        dx, dy, first, last = qx - px, qy - py, -(-px // side) - 1, qx // side
+        # The heights of the edge at the borders of its columns, times dx.
+        xs = [px, *range((first + 1) * side, last * side + 1, side), qx]
+        heights = pairwise([py * dx + (x - px) * dy for x in xs]) if dx else [(py, qy)] * len(xs)
+        unit = side * (dx or 1)
+        for k, (start, end) in zip(range(first, last + 1), heights, strict=False):
             top, bottom = max(start, end) // unit - low, -(-min(start, end) // unit) - 1 - low
             near[k - left] |= (2 << top) - (1 << bottom)
             if px <= k * side < qx:

@@ -1,5 +1,8 @@
 """The crossings of contact segments, and the remaining pieces between them.
 
+Boxes of segments that intersect (`geometry.near`) give the crossings; each removes pieces next to
+it, without any test of a position.
+
 (1) A piece of a segment between two consecutive crossings is either all free or all in O. If
     another segment crosses an end of the piece, and overlap passes through that end on the side
     where the piece lies, the piece is in O, by (2) of `segments`.

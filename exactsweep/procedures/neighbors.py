@@ -24,9 +24,6 @@ from exactsweep.procedures.segments import EdgeFeature
 _FEW = 14
 """The number of facing edges up to which all are kept; pruning them takes longer than it saves."""
 
-_Vectors = tuple[int, int, int, int]
-"""Two vectors."""
-
 
 def leave_out_overlapped(
     edges: Sequence[EdgeFeature], ring: Sequence[Vertex], k: int
@@ -44,11 +41,10 @@ def leave_out_overlapped(
         ux, uy = (dx, dy) if ahead else (-dx, -dy)
         start, end = low, high
         bx, by, ax, ay, next_unit = adjacent
-        sides: tuple[tuple[_Vectors, Vertex, bool, bool], ...] = (
-            (after, (bx, by), bx * uy < by * ux, True),
-            (before, (ax, ay), ux * ay < uy * ax, False),
-        )
-        for (px, py, qx, qy), (nx, ny), is_reflex, is_first in sides:
+        for (px, py, qx, qy), nx, ny, is_first in (
+            (after, bx, by, True),
+            (before, ax, ay, False),
+        ):
             past, back = ux * py - uy * px, uy * qx - ux * qy
             if past > 0 < back:
                 w = (qx * past + px * back) if dx else (qy * past + py * back)
@@ -57,10 +53,10 @@ def leave_out_overlapped(
                     end = min(end, -(-low // 1) + reach)
                 else:
                     start = max(start, high // 1 - reach)
-            product = px * ny - py * nx
+            product, beside = px * ny - py * nx, nx * uy - ny * ux
+            is_reflex = beside < 0 if is_first else beside > 0
             if is_reflex and past and product > 0:
-                across = unit * (dx * ny - dy * nx)
-                across = max(past * next_unit, across, -across)
+                across = max(past * next_unit, abs(beside) * unit)
                 reach = -(-product * abs(dx or dy) // across) - 1
                 if is_first == ahead:
                     start = max(start, low // 1 + reach)

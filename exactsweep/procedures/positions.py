@@ -138,20 +138,19 @@ def find_inner_fit(
 
 def _nest(exteriors: list[list[Point]], holes: list[list[Point]], fits: list[Fit]) -> FreeRegions:
     """Assign holes to their exteriors, sorted by area."""
-    exteriors = sorted(exteriors, key=find_doubled_area)
-    inside: list[list[list[Point]]] = [[] for _ in exteriors]
+    found = FreeRegions([], fits)
+    for exterior in sorted(exteriors, key=find_doubled_area):
+        found.regions.append((exterior, []))
     for loop in holes:
         # Exteriors cross neither each other nor the loop, so the smallest one around it is its own.
         shape, area = EdgeIndex([loop]), find_doubled_area(loop)
-        inside[
-            next(
-                k
-                for k, exterior in enumerate(exteriors)
-                if find_doubled_area(exterior) > area
-                and relate(EdgeIndex([exterior]), shape) is Relation.OVERLAP
-            )
-        ].append(loop)
-    return FreeRegions(list(zip(exteriors, inside, strict=True)), fits)
+        next(
+            inside
+            for exterior, inside in found.regions
+            if find_doubled_area(exterior) > area
+            and relate(EdgeIndex([exterior]), shape) is Relation.OVERLAP
+        ).append(loop)
+    return found
 
 
 def path_rings(points: Sequence[Vertex], *, closed: bool = False) -> list[list[Vertex]]:
