@@ -15,20 +15,18 @@ class LayoutCase(NamedTuple):
     """A layout with its expected faults.
 
     Attributes:
-        id, title: its name, whose meaning never changes, and a description in one line.
         data: the layout as JSON data.
         expected: "valid"; "contacts"; sometimes "density" and the minimum "distance_squared" of two
             parts; and "faults", each with "kind", "placements", and possibly "part", "number",
             "distance_squared" and "move_squared", the squared length of the shortest repairing
             move, null if there is none or it is irrational. Numbers are reduced rationals.
-        note: the origin of the case, or a remark.
     """
 
-    id: str
+    id: str  # its meaning never changes
     title: str
     data: dict[str, Any]
     expected: dict[str, Any]
-    note: str = ""
+    note: str = ""  # the origin of the case, or a remark
 
     @property
     def layout(self) -> Layout:

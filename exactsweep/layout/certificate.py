@@ -34,7 +34,6 @@ from exactsweep.numbers.digits import to_plain
 from exactsweep.numbers.number import Fit, Point
 
 _PieceRings = list[list[Point]] | None
-
 _LEAST = 3  # vertices of a ring in a certificate
 
 

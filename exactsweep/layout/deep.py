@@ -22,7 +22,6 @@ from exactsweep.numbers.number import Edge, Point, Rational, Vertex
 
 # Maximum number of chords to test, longest first, and of centering moves per chord.
 _MAX_CHORDS, _MAX_MOVES = 32, 2
-
 _ChordEnds = tuple[Rational, Rational]
 _HorizontalChord = tuple[Rational, Rational, Rational]
 

@@ -32,10 +32,8 @@ _SCALES = (
 )
 _DECIDED = {"overlap", "outside"}
 _PLACED = _DECIDED | {"undecided"}
-
 # Overlaps this many times smaller than the parts are due to rounding.
 _ROUNDING = 10**6
-
 Convention = Callable[[LayoutPart, Placement], tuple[LayoutPart, Placement]]
 
 

@@ -22,8 +22,6 @@ if TYPE_CHECKING:
 FaultKind = Literal[
     "overlap", "outside", "too close", "missing", "surplus", "turn", "mirror", "shape", "undecided"
 ]  # the worst first
-
-
 # Depths with a greater ratio differ only by rounding.
 _ALMOST = 1 - Fraction(1, 2**50)
 _REPAIRED = "overlap", "outside", "too close", "undecided"

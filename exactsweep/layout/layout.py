@@ -154,8 +154,6 @@ class Layout:
 
     Attributes:
         container: a Region, whose holes are defects; a RoundedPiece, such as a disc; or None.
-        parts: a tuple of LayoutPart with different ids.
-        placements: a tuple of Placement.
         spacing: the required distance between placed parts, at least 0.
         margin: the required distance from parts to the container's boundary and to defects, at
             least 0.
@@ -185,8 +183,6 @@ class Layout:
 
         Raises:
             LayoutError: not a layout; the message names the field, such as "placements[3].turn".
-
-        Cost: linear.
 
         Example:
             >>> square = [["0", "0"], ["1", "0"], ["1", "1"], ["0", "1"]]

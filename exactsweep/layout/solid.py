@@ -29,9 +29,7 @@ from exactsweep.layout.rounded import BodyShape, RoundedPiece
 from exactsweep.numbers.number import Point
 
 LatticeBox = tuple[int, int, int, int]  # the left, right, low and high ends
-
 MatrixRows = tuple[int, int, int, int]  # the rows of a linear map
-
 LatticePiece = tuple[ConvexRing, int]  # a hull, which may be a point or a segment, and its radius
 
 
@@ -53,14 +51,9 @@ class _Scalable:
 
 
 class LatticeForm(_Scalable, EdgeIndex):
-    """A shape on a lattice, shared by its solids.
+    """A shape on a lattice, shared by its solids; `cut` returns the convex pieces."""
 
-    Args:
-        rings: the rings, the exterior first, with the interior on the left.
-        cut: returns the convex pieces.
-    """
-
-    rings: Sequence[IntRing]
+    rings: Sequence[IntRing]  # the exterior first, with the interior on the left
     is_rounded = False
 
     def __init__(

@@ -22,7 +22,6 @@ from exactsweep.layout.solid import Solid, meet, share_scale
 from exactsweep.numbers.number import Point
 
 MAX_BITS = 256  # the maximum precision of rational rotations
-
 # Rotations are precise enough once the slack of curves is this many times theirs, by (3).
 _SHARE = 1000
 # Returns the pair of solids, with rotation errors of at most 2**-bits.

@@ -13,11 +13,8 @@ from exactsweep.numbers.error import ExactSweepError, explain_type_errors, quote
 from exactsweep.words import suggest
 
 Notebook = dict[str, Any]
-
 FOLDER = Path(__file__).parent
-
 _NAMES = ("gallery", "tour", "sweeps", "paper", "judging", "layouts")
-
 # Longer outputs, such as the interactive page, are not stored.
 _MAX_STORED = 60_000
 

@@ -36,7 +36,6 @@ from exactsweep.numbers.number import Fit, Loop
 
 MAX_MEASURED = 3000  # edges of both loops for measuring area and distance
 MAX_PAIRS = 20_000  # pairs of rings examined for overlap: a few seconds
-
 JudgedLoop = tuple[PartComparison, Sequence[Fit]]  # with the exact fits that the rings trace
 
 

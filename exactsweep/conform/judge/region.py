@@ -21,9 +21,7 @@ from exactsweep.numbers.error import ExactSweepError
 from exactsweep.numbers.number import Fit, Point, PointRings, Rational
 
 Height = tuple[Fraction, Fraction]
-
 MAX_WORK = 300_000  # edges summed over all slabs: about 15 seconds
-
 _PARTS = tuple((Fraction(a, 9), Fraction(b, 9)) for a, b in ((3, 6), (1, 2), (7, 8)))
 
 

@@ -14,7 +14,6 @@ from exactsweep.corpus import Case
 from exactsweep.numbers.number import Point, PointRings
 
 Change = Callable[[Fraction], Fraction]
-
 _MAX_DECIMALS = 12
 _DIGITS = range(3, 16)
 _WIDTHS = (32, 64, 16, 8)

@@ -71,33 +71,20 @@ class Witness:
 
 @dataclass(frozen=True)
 class PartComparison:
-    """The comparison of one part of an answer with the exact part.
+    """The comparison of one part of an answer with the exact part."""
 
-    Attributes:
-        name: a key of `PART_NAMES`.
-        verdict: on this part alone.
-        reason: one line.
-        distance_squared: by `measure_distance`; None if the loop is too large or has no vertices.
-        permitted: area where overlap is permitted; E without T for a trajectory.
-        forbidden: area of lost free space; T without E for a trajectory.
-        unsound: a Witness of permitted overlap, or None.
-        conservative: a Witness of lost free space, or None.
-        granted: the strict bound on coordinate errors, if one was needed.
-        kind: the differences of exact fits, or another property of the loop; "" if there is none.
-        diagnosis: the questions to which the loop is the exact answer, most likely first.
-    """
-
-    name: str
-    verdict: Verdict
-    reason: str = ""
+    name: str  # a key of `PART_NAMES`
+    verdict: Verdict  # on this part alone
+    reason: str = ""  # one line
+    # By `measure_distance`; None if the loop is too large or has no vertices.
     distance_squared: Fraction | None = None
-    permitted: Fraction | None = None
-    forbidden: Fraction | None = None
-    unsound: Witness | None = None
-    conservative: Witness | None = None
-    granted: Fraction | None = None
-    kind: str = ""
-    diagnosis: tuple[str, ...] = ()
+    permitted: Fraction | None = None  # area of permitted overlap: E without T for a trajectory
+    forbidden: Fraction | None = None  # area of lost free space: T without E for a trajectory
+    unsound: Witness | None = None  # of permitted overlap
+    conservative: Witness | None = None  # of lost free space
+    granted: Fraction | None = None  # the strict bound on coordinate errors, if one was needed
+    kind: str = ""  # the differences of exact fits, or another property of the loop
+    diagnosis: tuple[str, ...] = ()  # questions that the loop answers exactly, likeliest first
 
     @property
     def area(self) -> Fraction | None:

@@ -42,7 +42,6 @@ SIDE = 320
 _MARGIN = 23
 _ZOOM = 4
 _WORTH_ZOOMING = 20
-
 Layer = tuple[str, Sequence[Sequence[Point]], bool]
 
 

@@ -19,8 +19,6 @@ SECONDS = 10.0  # default time limit of an answer
 MAX_STDERR = 16384  # bytes kept from the end of standard error
 _MAX_REASON = 200
 _MAX_ITEMS = 10**6
-
-
 Function = Callable[..., Any]
 
 

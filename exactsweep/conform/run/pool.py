@@ -15,7 +15,6 @@ from exactsweep.numbers.limits import get_limits, set_limits
 from exactsweep.processes import Pool
 
 _ENDED = "a judging process ended unexpectedly"
-
 # The id of a case, a function and its arguments.
 _Call = tuple[str, Callable[..., Outcome], tuple[object, ...]]
 

@@ -20,9 +20,7 @@ from exactsweep.words import suggest
 Numbers = Literal["rational", "integer", "int64", "int32", "binary64"]
 Reference = Literal["given", "origin", "first"]
 Question = Literal["sweep", "no_fit", "minkowski_sum", "inner_fit"]
-
 Word = TypeVar("Word", bound=str)
-
 LOOPS = ("trajectory", "inner", "outer")
 NUMBERS: tuple[Numbers, ...] = get_args(Numbers)
 REFERENCES: tuple[Reference, ...] = get_args(Reference)

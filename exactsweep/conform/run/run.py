@@ -17,9 +17,7 @@ from exactsweep.numbers.number import to_fraction
 from exactsweep.words import count
 
 ALL = "all"
-
 ACCEPTED = Verdict.EQUIVALENT_EXCEPT_FOR_EXACT_FITS  # the default worst verdict that passes
-
 _DIFFERENT = (Verdict.CONSERVATIVE, Verdict.UNSOUND, Verdict.WRONG)
 SHOWN = 5  # failures kept in full for each fault
 MAX_FAULTS = 40  # others are grouped by verdict
@@ -114,15 +112,7 @@ class NamedFault:
 
 
 class Run:
-    """The outcomes of a program.
-
-    Attributes:
-        outcomes: list of all outcomes without the case, the answer and the parts, to save memory.
-        shrunk: dict from the id of a case to the outcome of a smaller case with the same fault.
-        summary: the counts.
-        complaints: list of other errors, one line each.
-        interrupted: whether the run stopped early.
-    """
+    """The outcomes of a program, their counts, and other errors."""
 
     def __init__(
         self,
@@ -133,10 +123,12 @@ class Run:
     ) -> None:
         self.hello, self.command, self.accepted = hello, tuple(command), accepted
         self.least_judged = least_judged
+        # All outcomes, without the case, the answer and the parts to save memory.
         self.outcomes: list[Outcome] = []
+        # By the id of a case, the outcome of a smaller case with the same fault.
         self.shrunk: dict[str, Outcome] = {}
         self.summary = Tally()
-        self.complaints: list[str] = []
+        self.complaints: list[str] = []  # errors other than failures, one line each
         self.interrupted = False
         self._faults: dict[str, NamedFault] = {}
 

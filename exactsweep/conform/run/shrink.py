@@ -64,17 +64,10 @@ class _GivenPair(NamedTuple):
 def shrink(
     case: Case, judge: Callable[[Case], str], *, tries: int = 1000, seconds: float = 60.0
 ) -> Case:
-    """Find a small case that shows the same fault.
+    """Find a smaller case with the same fault, by at most `tries` calls of `judge`.
 
-    Args:
-        case: a case that fails.
-        judge: returns the property of a case to preserve, such as a verdict. An exception ends the
-            search.
-        tries: the maximum number of calls of `judge`.
-        seconds: the time limit of the search.
-
-    Returns:
-        A Case with the id "ID-shrunk"; the same pair if no smaller one was found.
+    `judge` returns the property of a case to preserve, such as its verdict; an exception ends the
+    search. The id becomes "ID-shrunk", even if no smaller pair was found.
 
     Raises:
         ShrinkError: the verdict on the case is exact or equivalent.

@@ -13,7 +13,6 @@ from exactsweep.geometry.vectors import angle_key, compare_angles
 
 Regions = tuple[Region, Region]
 Draw = Callable[[Prng], Regions]
-
 SHEARS: list[cells.Matrix] = [
     ((1, 0), (0, 1)),
     ((1, 1), (0, 1)),

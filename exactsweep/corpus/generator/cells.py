@@ -9,7 +9,6 @@ from exactsweep.geometry.region import Region
 
 Cell = tuple[int, int]
 Matrix = tuple[Cell, Cell]
-
 SIDES = ((1, 0), (0, 1), (-1, 0), (0, -1))
 
 

@@ -6,7 +6,6 @@ from exactsweep.corpus.generator import shapes
 from exactsweep.corpus.generator.prng import Prng
 
 RingPair = Sequence[shapes.Ring]  # a generatrix and a directrix
-
 TINY_GRID = shapes.Grid(cells=(1, 5), widths=(1, 1, 1, 2), height=2, walls=2)
 # Invertible integer matrices by rows; one reverses the orientation.
 MATRICES = [

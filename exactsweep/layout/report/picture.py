@@ -29,9 +29,7 @@ from exactsweep.words import count, spell_out
 _WIDTH, _NARROW, _LEAST, _MOST = 960, 480, 160, 640
 _MARGIN, _GAP, _LINE = 14, 20, 20
 _MAX_ENLARGED, _MAX_LABELED = 12, 150
-
 SIDE = 218  # of an enlarged square, in pixels
-
 _ROUND = 3
 _BITS = 64
 

@@ -35,13 +35,8 @@ def report_layout(
 ) -> str:
     """Describe a judged layout: its faults, the worst first, or the nearest parts.
 
-    Args:
-        judgement: a Judgement.
-        ranked: its faults as sorted by `rank_faults`, if known.
-        terminal_width: the width of the terminal in columns; None for plain text.
-        notes: further remarks.
-        everything: whether to list all faults.
-        context: facts about the file, and the accepted depth.
+    `ranked` has the faults as sorted by `rank_faults`, if known. Without a `terminal_width`, the
+    text is plain. With `everything`, all faults are listed.
 
     Example:
         >>> from exactsweep.layout import Layout, judge_layout

@@ -11,7 +11,6 @@ from exactsweep.text.report import take_root
 from exactsweep.words import spell_out
 
 MAX_MEASURED = 200  # faults, unless all of these are tiny
-
 # Faults this many times smaller than the layout look like rounding.
 _ROUNDING = 10**6
 _MEASURED = "overlap", "outside", "too close"
