@@ -9,7 +9,7 @@ an edge, so one rotation of u finds all directions.
 from __future__ import annotations
 
 from bisect import bisect_right
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from functools import cmp_to_key
 from itertools import groupby
@@ -60,15 +60,20 @@ class Directions:
         return any(self.at)
 
     def __and__(self, other: Directions) -> Directions:
-        """Intersect two sets of directions. Cost: O(n log n) for n critical directions."""
+        """Intersect two sets of directions. Cost: O(n), a cross product for each critical one."""
         critical = sorted({*self.critical, *other.critical}, key=slope_key)
-        at = [u in self and u in other for u in critical]
-        after = [self._after(u) and other._after(u) for u in critical]
-        return Directions(tuple(critical), tuple(at), tuple(after))
+        states = zip(self._follow(critical), other._follow(critical), strict=True)
+        found = [(at and is_at, after and is_after) for (at, after), (is_at, is_after) in states]
+        at, after = zip(*found, strict=True)
+        return Directions(tuple(critical), at, after)
 
-    def _after(self, direction: Vector) -> bool:
-        """Decide whether the polygons are strictly monotone just after a direction."""
-        return self.after[self._last_up_to(direction)]
+    def _follow(self, critical: Iterable[Vector]) -> Iterator[tuple[bool, bool]]:
+        """Yield `at` and `after` for sorted directions that include all critical ones."""
+        # The state before the first critical direction equals the state after the last one.
+        k, places = -1, {u: k for k, u in enumerate(self.critical)}
+        for u in critical:
+            k = places.get(u, k)
+            yield (self.at if u in places else self.after)[k], self.after[k]
 
     def arcs(self) -> tuple[tuple[Vector, Vector], ...]:
         """Return the maximal closed arcs as pairs (first, last), counter-clockwise.
