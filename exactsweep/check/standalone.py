@@ -532,7 +532,7 @@ Body = namedtuple("Body", "name solids error distance inside")
 
 
 def find_body(given: Any, cut: Rings, distance: Rational, frame: Ring | None) -> Body:
-    """Return a part, a defect, or what is outside a container, in pieces if there is a frame."""
+    """Return a part, a defect, or the complement of a container, in pieces if there is a frame."""
     name, is_part, rounded = given.name, given.name != "layout.container", given.pieces or []
     is_count = rounded if is_part else len(rounded) < 2
     is_alone = is_count and not (given.exterior or given.holes or cut)

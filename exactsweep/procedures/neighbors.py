@@ -53,10 +53,10 @@ def leave_out_overlapped(
                     end = min(end, -(-low // 1) + reach)
                 else:
                     start = max(start, high // 1 - reach)
-            product, beside = px * ny - py * nx, nx * uy - ny * ux
-            is_reflex = beside < 0 if is_first else beside > 0
+            product, bend = px * ny - py * nx, nx * uy - ny * ux
+            is_reflex = bend < 0 if is_first else bend > 0
             if is_reflex and past and product > 0:
-                across = max(past * next_unit, abs(beside) * unit)
+                across = max(past * next_unit, abs(bend) * unit)
                 reach = -(-product * abs(dx or dy) // across) - 1
                 if is_first == ahead:
                     start = max(start, low // 1 + reach)

@@ -50,7 +50,7 @@ def test_a_large_square_is_covered_but_for_its_border() -> None:
     assert 26 * 26 <= sum(map(int.bit_count, columns)) <= 30 * 30
 
 
-def test_segments_in_covered_squares_are_left_out() -> None:
+def test_segments_in_covered_squares_are_omitted() -> None:
     """Of diagonals all over O, a square around (64, 64), those off its boundary."""
     square: Rings = [[(0, 0), (64, 0), (64, 64), (0, 64)]]
     segments = [
