@@ -35,7 +35,7 @@ def leave_out_overlapped(
     unit = lcm(*(c.denominator for point in points for c in point))
     o, p, v, q, r = ((int(x * unit), int(y * unit)) for x, y in points)
     after, before = (*minus(q, v), *minus(r, v)), (*minus(p, v), *minus(o, v))
-    left: list[EdgeFeature] = []
+    kept: list[EdgeFeature] = []
     for edge in edges:
         dx, dy, offset, low, high, ahead, adjacent = edge
         ux, uy = (dx, dy) if ahead else (-dx, -dy)
@@ -63,5 +63,5 @@ def leave_out_overlapped(
                 else:
                     end = min(end, -(-high // 1) - reach)
         if start < end:
-            left.append((dx, dy, offset, start, end, ahead, adjacent))
-    return left
+            kept.append((dx, dy, offset, start, end, ahead, adjacent))
+    return kept

@@ -46,12 +46,12 @@ def test_each_corner_of_a_covered_square_is_overlapped(
 def test_a_large_square_is_covered_but_for_its_border() -> None:
     square: Rings = [[(0, 0), (64, 0), (64, 64), (0, 64)]]
     _, _, columns = add_squares(square, reflect(square), 4)
-    # Of 32 x 32 squares of O those that do not touch its boundary, less two rows each way.
+    # Of 32 x 32 squares in O, those off its boundary, less at most two rows on each side.
     assert 26 * 26 <= sum(map(int.bit_count, columns)) <= 30 * 30
 
 
-def test_segments_in_covered_squares_are_omitted() -> None:
-    """Of diagonals all over O, a square around (64, 64), those off its boundary."""
+def test_segments_in_covered_squares_are_dropped() -> None:
+    """O is a square around (64, 64); diagonals well inside are dropped, others are kept."""
     square: Rings = [[(0, 0), (64, 0), (64, 64), (0, 64)]]
     segments = [
         ContactSegment((1, slope, y - slope * x), x, x + 4, (True, False))
