@@ -100,7 +100,7 @@ class NoFitPolygon(_Shown, NoFitAnswer):
 class InnerFit(_Shown, InnerFitAnswer):
     """The positions of a part inside a container, free of placed shapes if there are any.
 
-    Returned by `inner_fit_polygon` and `free_positions`. It is true if there is any position.
+    Returned by `inner_fit_polygon` and `free_positions`. It is falsy if there are no positions.
 
     Attributes:
         container: a Region, whose holes are defects.

@@ -218,7 +218,7 @@ def _has_one_thread() -> bool:
 def _allow_spawn() -> Iterator[None]:
     """Protect processes that start inside from Control-C and from modules in the working directory.
 
-    This process receives a Control-C afterwards.
+    A Control-C reaches this process only afterwards.
     """
     held_back = hasattr(signal, "pthread_sigmask")  # not on Windows
     before = signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT}) if held_back else ()

@@ -104,7 +104,7 @@ def no_fit_polygon(
 
     Returns:
         A NoFitPolygon with its exterior, the trajectory of the sweep (G, D); its holes, where G
-        fits inside D; and its exact fits, free positions without room to either side.
+        fits inside D; and its exact fits, free positions without any play.
 
     Raises:
         PolygonError: a shape is not valid.

@@ -74,7 +74,7 @@ def _compute_here(chunk: Chunk) -> Sequence[bytes]:
 
 
 class Cluster:
-    """The workers of a Dask scheduler, or `count` local ones; Dask repeats lost chunks."""
+    """The workers of a Dask scheduler, or `count` local ones; Dask recomputes lost chunks."""
 
     def __init__(self, work: Work, address: str, count: int) -> None:
         _require_address(address)

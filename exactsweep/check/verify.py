@@ -74,7 +74,7 @@ def verify(
             its name; or `max_steps` is not a positive int.
 
     Cost: O(k) for k pairs of an edge and a sum of pieces whose boxes meet; O(n log n) for n pieces
-    of a layout with O(n) near pairs.
+    of a layout with O(n) pairs of nearby pieces.
     Source: the docstring of `exactsweep.check.standalone`.
 
     >>> verify({"format": "exactsweep certificate"})

@@ -95,7 +95,7 @@ class _ProgramCommand(click.Command):
     help="Memory limit for the program and its descendants; default: none.",
 )
 @takes_file("--journal", "Record each outcome as it arrives.")
-@click.option("--resume", is_flag=True, help="Resume the run of the journal.")
+@click.option("--resume", is_flag=True, help="Resume the run recorded in the journal.")
 @click.option(
     "--shrink",
     type=click.IntRange(min=0),

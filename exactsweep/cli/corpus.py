@@ -109,7 +109,7 @@ def list_command(names: tuple[str, ...], prefix: str | None, filters: dict[str, 
 def show_command(name: str, as_json: bool) -> None:
     """Show a case with notes on its flags, a flag, or a family of the generator.
 
-    The id is that of a case of the corpus, or gen-FAMILY-SEED-NUMBER for a generated case.
+    ID is the id of a case of the corpus, or gen-FAMILY-SEED-NUMBER for a generated case.
 
     Example:
       exactsweep corpus show directions-y

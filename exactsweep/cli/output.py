@@ -41,7 +41,7 @@ def report_limit(size: int, output: str) -> None:
 
 @contextmanager
 def replace_file(output: str) -> Iterator[str]:
-    """Yield a temporary file that replaces the output on success, but a device as it is."""
+    """Yield a temporary file that replaces the output on success, or a device itself."""
     path = Path(output).resolve()
     folder = path.parent
     in_place = path.exists() and not (path.is_file() and os.access(folder, os.W_OK))

@@ -117,7 +117,7 @@ def draw_command(
 
     The picture of a sweep shows both polygons, the inner and the outer loop, the trajectory in one
     color per contact event, hatched undercuts, exact fits, and the generatrix. The generatrix is
-    drawn at each --position; by default, at positions that close undercuts, in exact fits and at
+    drawn at each --position; by default, at positions that close undercuts, at exact fits and at
     the first vertex. Enlarged details of tiny or flat polygons are drawn below.
 
     The picture of a no-fit polygon or an inner fit shows all loops, free regions and exact fits.

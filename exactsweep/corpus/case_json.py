@@ -1,4 +1,4 @@
-"""Cases as JSON data, with numbers as strings that contain reduced rationals."""
+"""Cases as JSON data, with numbers as strings, in lowest terms."""
 
 import json
 from collections.abc import Iterable, Mapping
@@ -82,8 +82,8 @@ def case_from_json(data: object) -> Case:
         data: the result of `case_to_json` or `json.load`.
 
     Raises:
-        CaseError: the data differs from the result of `case_to_json`, for example by numbers that
-            are not reduced, or by unknown members. The message starts with the path to the error.
+        CaseError: the data differs from the result of `case_to_json`, for example in unreduced
+        fractions or unknown members. The message starts with the path to the error.
 
     Example:
         >>> square = [(0, 0), ("1/2", 0), ("1/2", 1), (0, 1)]

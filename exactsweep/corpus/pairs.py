@@ -51,8 +51,8 @@ def read_pairs(path: str, tolerance: object = None, **options: Unpack[Options]) 
     """Read pairs of polygons as cases, from a file or, if the path is "-", standard input.
 
     The file has JSON lines as for `read_case`, one such object over several lines, or polygons in
-    any format of `parse_regions`, of which all ordered pairs are cases. The id of a case is that of
-    its line, or "pair-NUMBER" by line, or the two names or indices of the polygons, D first, as in
+    any format of `parse_regions`, of which all ordered pairs are cases. A line without an id
+    gets the id "pair-NUMBER", a pair of polygons their names or indices, D first, as in
     "plate/disc". The tolerance and the options are those of `parse_regions`.
     """
     if path == "-":

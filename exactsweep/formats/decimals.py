@@ -38,7 +38,7 @@ def read_decimal(text: str) -> Fraction:
 
 
 def read_decimals(text: str) -> list[Fraction]:
-    """Read decimals separated by blanks or commas, optional before a sign or point."""
+    """Read a list of decimals; blanks or commas are optional before a sign or a point."""
     if not _DECIMALS.fullmatch(text):
         raise FormatError(f"{quote(text)} is not a list of decimal numbers")
     return [*map(read_decimal, _DECIMAL.findall(text))]

@@ -202,7 +202,7 @@ def _nest_rings(
 
 
 def _measure(inside: Sequence[Edge], boundary: Sequence[Edge]) -> Fraction:
-    """Bound the squared distance of edges from the boundary, by one end and the length."""
+    """Bound the maximum squared distance of edges from the boundary."""
     most = Fraction(0)
     for a, b in inside:
         x, y = minus(b, a)

@@ -52,7 +52,7 @@ class Board:
         return to_region(self._shapes[placement.part])._image(AffineMap(*placement.rows(bits)))
 
     def is_rounded(self, placements: Sequence[int]) -> bool:
-        """Return whether a placement is rounded or, for a single one, any obstacle."""
+        """Return whether a placement, or for a single placement any obstacle, is rounded."""
         solids = [*map(self.solid, placements), *(self.obstacles if len(placements) < 2 else ())]
         return is_rounded(*solids)
 

@@ -182,7 +182,7 @@ def _find_outside(a: Solid, b: Solid, found: Clearance) -> Vertex | None:
 def _walk(
     v: Vertex, way: Vertex, square: Fraction, least: Rational, room: Rational
 ) -> Iterator[Vertex]:
-    """Yield a point v + t w / |w| with t between least - s and room; `square` is s^2 with sign."""
+    """Yield a point v + t w / |w| with t between least - s and room; `square` is s |s|."""
     (x, y), bits = way, 8
     length = Fraction(x * x + y * y)
     while bits <= 2**13:

@@ -42,7 +42,7 @@ def find_common_point(one: Sequence[Vertex], other: Sequence[Vertex]) -> Point |
 
 
 def clip(ring: Sequence[Vertex], sides: Sequence[Rational]) -> Iterator[Vertex]:
-    """Yield the part of a ring on the side of a line where `sides`, linear, are not negative."""
+    """Clip a ring to a half-plane; `sides` are values of its linear function at the vertices."""
     for k, (p, side) in enumerate(zip(ring, sides, strict=True)):
         q, before = ring[k - 1], sides[k - 1]
         if (side > 0 > before) or (side < 0 < before):

@@ -1,12 +1,12 @@
 """Repair of layouts by small moves; results are judged valid.
 
 Two convex pieces keep a distance if the difference of their moves is long enough in the direction
-that separates them, a linear condition. Hildreth's method ("A quadratic programming procedure",
-Naval Research Logistics Quarterly 4, 1957) finds the shortest moves that satisfy the conditions of
-all near pieces, in floats, which prove nothing: each round judges the moved layout and adds
-conditions. Deep overlaps use their shortest repair instead. A few rounds suffice if the gaps
-between parts are as large as the faults, as after rounding. After the last round, each faulty
-placement moves to the nearest position free of all others, if there is one.
+that separates them, which is a linear condition. Hildreth's method ("A quadratic programming
+procedure", Naval Research Logistics Quarterly 4, 1957) finds the shortest moves that satisfy the
+conditions of all nearby pieces. It uses floats, which prove nothing, so each round judges the moved
+layout exactly and adds conditions. Deep overlaps use their shortest repair instead. A few rounds
+suffice if the gaps between parts are as large as the faults, as after rounding. After the last
+round, each faulty placement moves to the nearest position free of all others, if there is one.
 """
 
 from collections import defaultdict
@@ -116,7 +116,7 @@ def _move(layout: Layout, moves: dict[int, Point]) -> Layout:
 
 
 def _list_conditions(judgement: Judgement) -> tuple[list[_Condition], list[_Condition]]:
-    """List the conditions of faults and, if none is deep, those of other near pieces."""
+    """List the conditions of faults and, if none is deep, those of other nearby pieces."""
     board, faults = judgement._board, judgement.faults
     found = [
         one for f in faults for one in _list_piece_conditions(board, f.placements, Fraction(0))
@@ -135,7 +135,7 @@ def _list_conditions(judgement: Judgement) -> tuple[list[_Condition], list[_Cond
 def _list_piece_conditions(
     board: Board, at: tuple[int, ...], reach: Fraction
 ) -> Iterator[_Condition]:
-    """Yield the conditions of near pieces of two placements, or of one and the obstacles."""
+    """Yield the conditions of nearby pieces of two placements, or of one and the obstacles."""
     k = at[-1]
     walls = range(len(board.obstacles)) if len(at) < 2 else ()
     pairs = [(board.obstacles[wall], board.required(wall)) for wall in walls]

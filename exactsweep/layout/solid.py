@@ -34,7 +34,7 @@ LatticePiece = tuple[ConvexRing, int]  # a hull, which may be a point or a segme
 
 
 class _Scalable:
-    """A form that caches its images on finer lattices."""
+    """Base class of shapes on a lattice; it caches their images on finer lattices."""
 
     @cached_property
     def _scaled(self) -> dict[int, Self]:
@@ -115,7 +115,7 @@ class OutsideForm(RoundedForm):
 
 
 class Solid(NamedTuple):
-    """A form on a lattice, translated by (x, y)."""
+    """A shape on a lattice, translated by (x, y)."""
 
     form: LatticeForm | RoundedForm
     x: int

@@ -1,4 +1,4 @@
-"""Errors: base classes, names of rejected inputs, arguments of a wrong type.
+"""Errors: base classes, names of rejected inputs, arguments of the wrong type.
 
 The decorator `explain_type_errors` compares arguments with their annotations only after a call has
 failed. So successful calls cost nothing, and may pass tuples or arrays for lists.
@@ -81,7 +81,7 @@ def require_imports(package: str, what: str, error_type: type[ExactSweepError]) 
 
 
 def explain_type_errors(function: Callable[_Accepted, _Returned]) -> Callable[_Accepted, _Returned]:
-    """Decorate a function so that a failure caused by an argument of a wrong type names it.
+    """Decorate a function so that a failure caused by an argument of the wrong type names it.
 
     If an argument does not match its annotation, ArgumentError replaces TypeError and similar
     errors. Other errors are unchanged.

@@ -1,6 +1,6 @@
 """Limits on untrusted input: digits per number, bytes per text.
 
-Numbers in texts and Decimals are limited, because a few characters such as `1e999999999` must not
+Numbers in strings and Decimals are limited, because a few characters such as `1e999999999` must not
 allocate gigabytes. But every answer must be readable again.
 
 (1) A number may have D = `max_digits` digits in its numerator and in its denominator.
@@ -20,9 +20,9 @@ Let |n|, d < 10^D for all coordinates n/d of two polygons.
     of G moved by t: over its denominator, |A|, |B| < 16 * 10^16D and |C| < 256 * 10^16D. Two of
     these cross with a denominator below 512 * 10^32D and numerators below 8192 * 10^32D.
 
-Reading takes up to 130 bytes of memory per byte of text, so the size of texts is limited, too.
+Reading takes up to 130 bytes of memory per byte of text, so the size of text is limited, too.
 
-(6) A text is charged its number of bytes, but at least 16 bytes for each vertex, 32 for each SVG
+(6) Text is charged its number of bytes, but at least 16 bytes for each vertex, 32 for each SVG
     element and 64 for each DXF entity, each time it is drawn; the limit is `max_mib` MiB.
 (7) If an answer has more vertices than that, its writer reports the limit needed to read it.
 """
@@ -42,7 +42,7 @@ _MOST_MIB = 2**20
 
 
 class Limits(NamedTuple):
-    """The limits on digits, by (1), and on MiB of text."""
+    """The maximum number of digits (D in (1)), and the maximum size of text in MiB."""
 
     max_digits: int = DEFAULT_DIGITS
     max_mib: float = DEFAULT_MIB

@@ -34,7 +34,7 @@ class Unreduced:
         return self.n != 0
 
     def _sign(self, other: Unreduced | int) -> int:
-        """Return a number of the sign of the difference; an int operand must be 0."""
+        """Return a number with the sign of the difference; an int operand must be 0."""
         return self.n if isinstance(other, int) else (self - other).n
 
     def __lt__(self, other: Unreduced | int) -> bool:

@@ -1,4 +1,4 @@
-"""Arguments of a wrong type are named; errors of the program keep their own words."""
+"""Arguments of the wrong type are named; errors of the program keep their own words."""
 
 from fractions import Fraction
 from pathlib import Path

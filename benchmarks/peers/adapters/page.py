@@ -40,7 +40,7 @@ HEAD = """# Exactness of other programs
 A cell counts the cases that a program answers exactly; `+` counts answers that differ only by the
 rounding of the program's numbers; `of` counts the cases asked. Lost exact fits do not count, since
 programs for Minkowski sums cannot find them. A cell is blank if no such case applies to the
-program. [Other programs](README.md) lists the questions to each.
+program. [Other programs](README.md) lists the questions put to each.
 
 """
 FAILURES = """

@@ -2,7 +2,7 @@
 
 A segment bounds the region if and only if an odd number of edges cover it, in either direction:
 
-(1) Two regions differ by a set without area if and only if these segments are equal. This does not
+(1) Two regions differ by a set of zero area if and only if these segments are equal. This does not
     depend on crossings, so only collinear edges are compared.
 (2) Segments covered by an even number of edges bound nothing: whiskers, keyholes that connect a
     ring to a hole, and borders between pieces of a region.
@@ -83,7 +83,7 @@ def _join_along_line(ends: list[tuple[Point, int]]) -> Iterator[tuple[bool, list
 
 
 def subtract_fits(segments: Iterable[Fit], fits: Iterable[Fit]) -> tuple[list[Fit], list[Fit]]:
-    """Split segments into the pieces on exact fits and the others."""
+    """Split segments into the pieces on exact fits and the rest."""
     on: list[Fit] = []
     off: list[Fit] = []
     known = list(fits)

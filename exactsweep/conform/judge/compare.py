@@ -206,7 +206,7 @@ def _measure(
     is_whole = False
     if is_small or not (fault or is_rounded):
         with suppress(region.RegionError):
-            # An error keeps the cells before it.
+            # After an error, keep the cells found so far.
             for cell in region.find_differences(exact, rings):
                 cells.append(cell)
             is_whole = True

@@ -4,9 +4,10 @@ A point belongs to a region if it has an odd winding number. So rings may cross,
 orientation, and enclose holes.
 
 Vertical lines through all vertices cut the plane into slabs, which edges cross from side to side.
-Two edges cross inside a slab if and only if their order at its sides is opposite; vertical lines
-through these crossings cut it further. Then neighboring edges bound trapezoids, and each edge
-changes the parity of its region. The trapezoids in exactly one region form the difference.
+Two edges cross inside a slab if and only if their order is reversed from one side to the other;
+vertical lines through these crossings cut it further. Then neighboring edges bound trapezoids, and
+each edge changes the parity of its region. The trapezoids in exactly one region form the
+difference.
 """
 
 from collections.abc import Iterable, Iterator, Sequence
@@ -77,7 +78,7 @@ class RegionError(ExactSweepError):
 def find_differences(first: PointRings, second: PointRings) -> Iterator[Trapezoid]:
     """Yield the trapezoids in exactly one of two regions, from left to right.
 
-    There are none if and only if the regions differ by a set without area. A RegionError is raised
+    There are none if and only if the regions differ by a set of zero area. A RegionError is raised
     if the work would exceed MAX_WORK. The cost is O((n + k) w log w) for n edges with k crossings,
     at most w in one slab.
 
@@ -175,7 +176,7 @@ def measure_distance(first: PointRings, second: PointRings) -> Fraction:
     """Return the greatest squared distance of a vertex from the boundary of the other rings.
 
     It is symmetric, 0 for equal loops, and at most the square of the Hausdorff distance. Both loops
-    must have vertices. The cost is O(m n), but linear in the vertices that both loops have.
+    must have vertices. The cost is O(m n), but only linear for vertices shared by both loops.
 
     >>> from exactsweep import Point
     >>> square = [Point(Fraction(x), Fraction(y)) for x, y in [(0, 0), (4, 0), (4, 4), (0, 4)]]

@@ -20,12 +20,12 @@ from exactsweep.corpus import Case, case_from_json, case_to_json
 from exactsweep.numbers.error import ExactSweepError
 
 COMPARE_SECONDS = 60.0  # CPU seconds per comparison; work bounds usually stop it earlier
-_MAX_RESULT = 65536  # characters of a kept answer
+_MAX_RESULT = 65536  # maximum length of a stored answer, in characters
 
 
 @dataclass(frozen=True)
 class Outcome:
-    """The outcome of one case. Exact, equivalent and unsupported answers are not kept."""
+    """The outcome of one case. Exact, equivalent and unsupported answers are not stored."""
 
     id: str
     kind: str
@@ -57,7 +57,7 @@ class Outcome:
         return max(self.parts, key=lambda part: Verdict(part["verdict"]).severity, default=None)
 
     def lead_with(self, cause: str | None) -> Self:
-        """Return the outcome with one of its diagnoses first; unchanged if it lacks it."""
+        """Move a diagnosis to the front; return the outcome unchanged if it lacks the diagnosis."""
         if cause not in self.diagnosis[1:]:
             return self
         first, parts = self.diagnosis[0], []

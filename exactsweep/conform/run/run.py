@@ -154,7 +154,7 @@ class Run:
         return sorted(found.values(), key=lambda f: (-f.verdict.severity, -f.count))
 
     def list_outcomes(self) -> Iterator[Outcome]:
-        """Yield all outcomes, in full if they are kept."""
+        """Yield all outcomes, complete with case and answer where these are stored."""
         cause = self.summary.find_cause()
         whole = {outcome.id: outcome for outcome in self.show()}
         return (whole.get(bare.id) or bare.lead_with(cause) for bare in self.outcomes)

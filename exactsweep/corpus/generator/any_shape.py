@@ -98,7 +98,7 @@ def tangles_pair(random: Prng) -> Regions:
 
 
 def plate_pair(random: Prng) -> Regions:
-    """A plate with holes, some as wide as the part or of its shape."""
+    """A plate with holes, some as wide as the part or congruent to it."""
     part = _draw_untangled(random, 6, 4)
     low, high = part.bounding_box
     width, height = (int(c) + 1 for c in (high.x - low.x, high.y - low.y))

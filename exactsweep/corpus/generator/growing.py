@@ -79,7 +79,7 @@ def figure10(m: int, n: int, seed: int = 0) -> tuple[Ring, Ring]:
 
 
 def needles(m: int, n: int) -> tuple[Ring, Ring]:
-    """Make an inner loop of order m n^2, by the proof of Lemma 5.5.
+    """Make an inner loop with order m n^2 edges, by the proof of Lemma 5.5.
 
     D_b has about m / 3 needles under a high ceiling, at distances of nearly the width of G. G_t has
     `inner_peaks(n)` peaks.
@@ -179,7 +179,7 @@ def printed_count(m_b: int, n_t: int, n_b: int) -> int:
 
 
 def forks(m: int, n: int) -> tuple[Ring, Ring]:
-    """Make a no-fit polygon of order (m n)^2 holes: forks with spikes down and to the right.
+    """Make a no-fit polygon with order (m n)^2 holes: forks with spikes down and to the right.
 
     D has m / 6 - 1 spikes in each direction, and -G has n / 6 - 1 at distances larger by the factor
     m / 6 - 1; "Size of a no-fit polygon" has the proof. m and n are multiples of 6, at least 18.

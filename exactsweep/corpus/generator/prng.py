@@ -41,8 +41,8 @@ class Prng:
     def between(self, low: int, high: int) -> int:
         """Draw an int from low to high inclusive, all equally likely.
 
-        Draws of 64 bits, the most significant first, form a number; it is drawn again in the
-        incomplete last multiple of the range.
+        A number consists of 64-bit draws, the most significant first; numbers in the incomplete
+        last multiple of the range are rejected and drawn again.
         """
         span = high - low + 1
         if span < 1:

@@ -167,7 +167,7 @@ def make_elliptic_arc(
     """Return an elliptical arc (SVG 1.1, F.6), and whether it runs from start to end.
 
     After scaling the ellipse to a unit circle, the center is k half chords from the midpoint of the
-    chord, with rational k**2. An error d of k moves the arc by at most 2 d, because a ray from one
+    chord, with rational k**2. An error d in k moves the arc by at most 2 d, because a ray from one
     end meets both arcs at most 2 d apart. An irrational angle is replaced by one with rational sine
     and cosine, so that rotating back and forth preserves the ends.
     """

@@ -68,7 +68,8 @@ def make_layouts(
 
     The sheets share the demand: each demands the parts placed on it, up to the remaining demand,
     and the last one also demands the parts still missing. So the total demand is met if and only if
-    no sheet has missing or surplus parts. A layout has the parts placed or demanded on it.
+    no sheet has missing or surplus parts. A layout contains only the parts placed or demanded on
+    it.
     """
     order = {name: k for k, name in enumerate(instance.parts)}
     remaining = {name: part.get("demand") for name, part in instance.parts.items()}

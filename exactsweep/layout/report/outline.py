@@ -71,7 +71,7 @@ def _unit(p: Point, q: Point) -> tuple[Fraction, Fraction, Fraction]:
 
 
 def list_vertices(piece: RoundedPiece, center: Point, near: Fraction) -> Sequence[Vertex]:
-    """Return a polygon that approximates a rounded piece, finely within `near` of a center."""
+    """Approximate a rounded piece by a polygon, most finely within `near` of a center."""
     points, r = piece
     if not r:
         return points
@@ -102,7 +102,7 @@ def _find_direction(x: Fraction, y: Fraction, bits: int) -> Point:
 
 
 def _list_turns(share: Fraction) -> list[Point]:
-    """List rational rotations: fine ones up to a share of a radian, then coarse ones."""
+    """List rational rotations, in fine steps up to `share` radians, then in coarse ones."""
     # A power of two keeps numbers short.
     fine = min(Fraction(1), Fraction(2) ** ceil(log2(share) + 1))
     tangents = [fine * k / (2 * _STEPS) for k in range(_STEPS + 1)]

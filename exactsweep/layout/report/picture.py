@@ -189,7 +189,7 @@ class DrawnShape(NamedTuple):
         return [*chain.from_iterable(self.rings), *list_corners(self.pieces)]
 
     def list_rings(self, center: Point, near: Fraction) -> list[Sequence[Vertex]]:
-        """List the rings, and polygons that approximate the pieces finely near a center."""
+        """List the rings, and polygons for the pieces, finest within `near` of a center."""
         return [*self.rings, *(list_vertices(piece, center, near) for piece in self.pieces)]
 
 

@@ -31,7 +31,7 @@ HELD, ROOM = (read_pair(_DATA[name]) for name in ("held", "room"))
 
 
 def loops_are_simple(pair: SweepPair) -> Iterator[str]:
-    """Each loop of the no-fit polygon is a simple polygon, and no two share an inner point."""
+    """Each loop of the no-fit polygon is a simple polygon, and no two share an interior point."""
     found = no_fit_polygon(*pair[::-1])
     for loop in (found.exterior, *found.holes):
         if Polygon(loop.vertices).vertices != loop.vertices:

@@ -33,7 +33,7 @@ def returns(
 ) -> Law:
     """Return the law that each procedure, a key of RUNS, computes the bottom chain of its loop.
 
-    `words` are the law, if it states more than that; `fails` checks the returned chain further.
+    `words` states the law if it says more than that; `fails` checks the returned chain further.
     """
 
     def law(pair: SweepPair) -> Iterator[str]:

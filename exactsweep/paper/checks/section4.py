@@ -102,7 +102,7 @@ def _form(undercut: Undercut, pair: SweepPair) -> Iterator[str]:
     bottom, positions = undercut.bottom, undercut.positions
 
     def rests(t: Point) -> bool:
-        """Decide whether G touches D at a position, with both ends on the boundary of G."""
+        """Decide whether G touches D at a position, with both chain ends on G's boundary."""
         placed = [Point(x + t.x, y + t.y) for x, y in pair.generatrix]
         is_closed = all(point_in_polygon(end, placed) == 0 for end in (bottom[0], bottom[-1]))
         return is_closed and classify(pair.directrix, pair.generatrix, t).verdict == "CONTACT"

@@ -180,7 +180,7 @@ def edges_are_near(pair: SweepPair) -> Iterator[str]:
 
 
 def _traces(v: Vertex, edge: Edge, loop: Sequence[Segment]) -> bool:
-    """Decide whether a vertex of G draws part of a loop along an edge of the trajectory."""
+    """Decide whether a vertex of G traces part of a loop along an edge of the trajectory."""
     (px, py), (qx, qy) = edge
     drawn = make_segment(((px + v[0], py + v[1]), (qx + v[0], qy + v[1])))
     return any(drawn[:2] == other[:2] and drawn.shares_piece(other) for other in loop)

@@ -95,7 +95,7 @@ def find_outer(pair: SweepPair) -> list[Vertex]:
 
 
 def find_beyond_mn2(effort: Effort) -> Iterator[Observation]:
-    """Show outer boundaries of more than order mn² edges: a table, and the largest one."""
+    """Show outer boundaries with more than order mn² edges: a table, and the largest one."""
     rows = []
     # The definition tests all pairs of edges, so it is slow with more segments.
     for segments in BEST[:4]:

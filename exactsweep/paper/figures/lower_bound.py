@@ -1,4 +1,4 @@
-"""Figure 10, outer boundaries of order mn² edges, and an additional figure of many undercuts."""
+"""Figure 10, outer boundaries with order mn² edges, and an additional figure of many undercuts."""
 
 from collections.abc import Iterator, Sequence
 from fractions import Fraction
