@@ -15,7 +15,7 @@ from collections.abc import Sequence
 from itertools import pairwise
 from math import lcm
 
-from exactsweep.procedures.chain import Chain, ConvexPart, Line
+from exactsweep.procedures.chain import Break, Chain, ConvexPart
 from exactsweep.procedures.graph import Graph, Piece, VertexContact
 
 
@@ -90,28 +90,30 @@ def subtrajectory(generatrix: ConvexPart, directrix: ConvexPart) -> Graph:
     edges = sorted(ds[i:i_end] + gs[j:j_end])
     i, j = i + directrix.first, j + generatrix.first
     (x, y, w), (u, v, z) = directrix.vertices[i], generatrix.vertices[j]
-    contacts: list[VertexContact] = [((x * z + u * w, y * z + v * w, w * z), i, j)]
-    lines: list[Line] = []
+    at = x * z + u * w, w * z
+    start: VertexContact = (at[0], y * z + v * w, at[1]), i, j
+    breaks: list[Break] = [at]
+    pieces: list[Piece] = []
     last: int | float | None = None
     for slope, of_generatrix, dx, dy, c in edges:
         if of_generatrix:
-            line = dx * w, dy * w, c * w + y * dx - x * dy
+            dx, dy, c = dx * w, dy * w, c * w + y * dx - x * dy
             j += 1
             u, v, z = generatrix.vertices[j]
         else:
-            line = dx * z, dy * z, c * z + v * dx - u * dy
+            dx, dy, c = dx * z, dy * z, c * z + v * dx - u * dy
             i += 1
             x, y, w = directrix.vertices[i]
         if slope == last:
             # Parallel edges become one (EE).
-            lines.pop()
-            contacts.pop()
-        lines.append(line)
-        contacts.append(((x * z + u * w, y * z + v * w, w * z), i, j))
-        last = slope
-    ends = zip(lines, contacts, contacts[1:], strict=False)
-    pieces: list[Piece] = [(dx, dy, c, start, end) for (dx, dy, c), start, end in ends]
-    return Graph([(x, w) for (x, _, w), _, _ in contacts], pieces)
+            _, _, _, start, _ = pieces.pop()
+            breaks.pop()
+        at = x * z + u * w, w * z
+        end: VertexContact = (at[0], y * z + v * w, at[1]), i, j
+        pieces.append((dx, dy, c, start, end))
+        breaks.append(at)
+        start, last = end, slope
+    return Graph(breaks, pieces)
 
 
 def subtrajectories(
