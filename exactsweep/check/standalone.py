@@ -32,19 +32,20 @@ of a line (a, b, c) if a x + b y + c w > 0.
    H_j, for pieces D_i of D and H_j of H = -G. If D_1 and D_2 have a common vertex p, D_1 + H_j and
    D_2 + H_j have p + int H_j in common, so (d) need not be checked for a piece with a vertex of a
    piece before it. `sweep`: along T, G covers, up to closure, the sums of edges of T and pieces of
-   G; those of one piece are connected. Slits are fits outside the answer. `sum`: for any path.
-5. `inner_fit`: D is a frame minus the container, B the rectangle of all t at which G + t is in the
-   frame. L is in B; the half-planes around B count as listed sums, with an edge of B as their side.
-   In the proof, read W + 1 for W; every ray meets a half-plane, and so L before it. Two loops of a
-   region meet at most once: they do not cross. Its own W is 0 just inside a hole, at two points of
-   an edge; each other loop misses one of them. So a hole is in the exterior and in no other hole.
+   G; those of one piece are connected. Slits are fits that the answer omits. `sum`: for any path.
+5. `inner_fit`: D is a frame minus the container, inside it by 2; B, all t with G + t in the frame,
+   is a rectangle. L is in B; the half-planes around B are listed sums, with an edge of B as side;
+   others have the rest of the line. In the proof, read W + 1 for W; each ray meets a half-plane,
+   and L before it. Loops of a region meet at most once: they do not cross. Their W is 0 at two
+   points just inside a hole; each other loop misses one. So it is in the exterior, not in another.
 6. `layout`: a rounded piece is the set of points within distance r of a convex hull; r = 0 for the
    pieces of 2. For vertices a and b of two pieces, a normal n with gap = min n.b - max n.a >= 0 and
-   gap^2 >= (s + r_a + r_b)^2 |n|^2 proves that they are s apart and do not overlap. Errors add to
-   s; a rotation with error d displaces a point at distance r from the origin by at most d r. The
-   container, as a frame minus the container, and defects are shapes like parts; in a rounded
-   container, depth is concave, so vertices decide. A point deeper in two bodies than their errors
-   proves that they overlap; a point within (s - errors) / 2 of both, that they are too close.
+   gap^2 >= (s + r_a + r_b)^2 |n|^2 proves that they are s apart and do not overlap; so do disjoint
+   boxes, enlarged. Errors add to s; a rotation with error d displaces a point at distance r from
+   the origin by at most d r. A frame minus a container, and defects, are shapes like parts; in a
+   rounded container, depth is concave, so vertices decide. A point deeper in two bodies than their
+   errors proves that they overlap; one within (s - errors) / 2 of both, that they are too close, if
+   shapes have winding numbers 0 and 1; others have no pieces, so no layout with them is valid.
 """
 
 import json
@@ -163,8 +164,7 @@ def is_convex(points: Ring) -> bool:
 
 # --- Reading --------------------------------------------------------------------------------------
 def read(name: str, item: Any, form: Any) -> Any:
-    """Read a value by its form."""
-    # (form, default) if optional, [form of entries], {key: form}, a type, or a function.
+    """Read by a form: (form, default) if optional, [form], {key: form}, a type, or a function."""
     if isinstance(form, type):
         is_right = type(item) is form and (type(item) is not int or abs(item) < 10**9)
         need(is_right, f"{name}: not of type {form.__name__}{' below 10^9' * (form is int)}")
@@ -448,13 +448,13 @@ def wind(name: str, known: list[Known], points: Iterable[Point], wanted: int) ->
 
 def boundary(name: str, d: Rings, h: Rings, known: Any, listed: Any, *beyond: Any) -> None:
     """Prove (a) to (e) of the lemma; beyond a frame are half-planes, each with its chain."""
-    boxes, n, count = [box(edge[:2]) for edge in known], len(h), len(d) * len(h)
+    boxes, n = [box(edge[:2]) for edge in known], len(h)
     one, other = ([from_lowest(piece) for piece in pieces] for pieces in (d, h))
 
     @lru_cache(10**5 // max(map(len, d + h)) + 1)
-    def sides(k: int) -> list[Edge]:
-        need(0 <= k < count + len(beyond), f"{name}: there is no sum {k}")
-        return add_pieces(one[k // n], other[k % n]) if k < count else [beyond[k - count][0]]
+    def sides(k: Any) -> list[Edge]:  # a half-plane instead of a number is its only side
+        need(type(k) is tuple or 0 <= k < len(d) * n, f"{name}: there is no sum {k}")
+        return [k] if type(k) is tuple else add_pieces(one[k // n], other[k % n])
 
     meetings = dict[Any, Any]()
     for k, j, _ in near(boxes, boxes, touch=1):
@@ -470,7 +470,7 @@ def boundary(name: str, d: Rings, h: Rings, known: Any, listed: Any, *beyond: An
     for k, i, j in near(boxes, [*map(box, d)], [*map(box, h)]):
         if clip(sides(i * n + j), *known[k][:2]):
             raise Refused(f"{known[k].name}: inside the sum of pieces {i} and {j}", known[k].start)
-    around = [(count + k, [found]) for k, (_, found) in enumerate(beyond)]
+    around = [(edge, [found]) for edge, found in beyond]
     cover_sides(name, sides, known, listed + around)
     inner = [*map(inner_point, h)] if d and len(d[0]) == 2 else connect(h)
     wind(name, known, (add(p, q) for p, q in product(connect(d), inner)), 0 if beyond else 1)
@@ -520,9 +520,8 @@ def inner_fit(c: Any) -> str:
     xs, ys = zip(*map(place, chain(*h)), strict=True)
     room = [n + f(of) for n, f, of in zip(ends, (max, max, min, min), (xs, ys) * 2, strict=True)]
     beyond = [(q, p, (-a, -b, -c)) for p, q, (a, b, c) in edges(corners("frame, part", *room))]
-    for edge, half_plane in product(known, beyond):
-        is_within = clip([half_plane], *edge[:2]) is None
-        need(is_within, f"{edge.name}: the part leaves the frame", edge.start)
+    for edge, out in product(known, beyond):
+        need(not clip([out], *edge[:2]), f"{edge.name}: the part leaves the frame", edge.start)
     boundary("sums", d, h, known, proof.sums, *zip(beyond, proof.around, strict=True))
     return f"inner fit of {len(known)} edges and exact fits in {len(c.regions)} regions"
 
@@ -720,7 +719,7 @@ def prove(certificate: Any, max_steps: float | None = None) -> str:
     need(type(claim) is str and claim in PROVERS, f"claim: none of {', '.join(PROVERS)}")
     form, prover = PROVERS[claim]
     found = read("", certificate, form)
-    text = json.dumps({**certificate, "area": None})
+    text = json.dumps({**certificate, "area": None}, ensure_ascii=False)  # no longer than the file
     WORK.set([max_steps or max(MAX_STEPS, STEPS_PER_BYTE * len(text)), 1.0])
     level([(10 ** max(map(len, re.findall("[0-9]+", text))), 0, 1)])
     return str(prover(found))
@@ -739,7 +738,8 @@ def load(text: str) -> Any:
 def main(arguments: list[str]) -> int:
     """Print what a certificate proves; return the exit code."""
     try:
-        print(f"proved: {prove(load(Path(*arguments).read_text(encoding='utf-8-sig')))}")
+        [file] = arguments
+        print(f"proved: {prove(load(Path(file).read_text(encoding='utf-8-sig')))}")
     except Exception as error:  # a crash proves nothing
         print(f"not proved: {error}")
         return 1

@@ -13,7 +13,7 @@ from certified import Certificate, certificates, two_ls
 from tampering import put
 
 from exactsweep.check import verify
-from exactsweep.check.standalone import Refused, load, number, prove
+from exactsweep.check.standalone import WORK, Refused, load, number, prove
 
 JUNK: list[Any] = [None, True, False, 0, -1, 10**5000, 1.5, float("nan"), "", "x", "0", "1/0", "-0"]
 JUNK += [
@@ -114,6 +114,15 @@ def test_the_work_is_bounded_by_the_size_or_by_the_caller() -> None:
     long = put(certificate, ("exterior", 0, 0), "1" * 9000)
     with pytest.raises(Refused):
         prove(long)
+
+
+def test_letters_that_json_escapes_do_not_raise_the_limit() -> None:
+    limits = set[float]()
+    for letter in "a\x7f\u0663":
+        with suppress(Refused):  # the placements are of no part
+            prove(put(two_ls(), ("layout", "parts", 0, "id"), letter * 10**6))
+        limits.add(WORK.get()[0])
+    assert len(limits) == 1
 
 
 def test_an_object_has_no_key_twice() -> None:

@@ -110,7 +110,7 @@ def test_both_agree_on_hostile_text(tmp_path: Path) -> None:
         "null",
         "NaN",
     ]
-    assert check_agreement(texts, tmp_path) == 3
+    assert check_agreement(texts, tmp_path) == 4
 
 
 def valid_layout(**changes: Any) -> Any:
@@ -171,6 +171,44 @@ def test_a_file_of_large_numbers_ends(tmp_path: Path) -> None:
     certificate = faulty_layout([[f"{x}/{'3' * 20_000}1" for x in p] for p in BOW], ["1", "1"])
     certificate["layout"]["parts"][0]["turns"] = [f"1/{'7' * 40_000}"]
     assert ask_node([json.dumps(certificate)], tmp_path)[0].startswith("not proved: ")
+
+
+@pytest.mark.parametrize("at", [0, 17 * 10**307, 10**400], ids=["0", "1.7e308", "1e400"])
+def test_both_refuse_an_edge_in_a_sum_wherever_it_is(at: int, tmp_path: Path) -> None:
+    one, other = rect(at, at, at + 1, at + 1), rect(at + 1, at, at + 5, at + 1)
+    moved = rect(-at, -at, 1 - at, 1 - at)
+    pieces = {"directrix": [one, other], "generatrix": [moved]}
+    certificate: Any = {
+        "format": "exactsweep certificate",
+        "version": 3,
+        "claim": "no_fit",
+        "directrix": {"exterior": rect(at, at, at + 5, at + 1)},
+        "generatrix": {"exterior": moved},
+        "exterior": rect(2 * at - 1, 2 * at - 1, 2 * at + 1, 2 * at + 1),  # the sum of `one` alone
+        "holes": [],
+        "exact_fits": [],
+        "proof": {**pieces, "sums": [[0, [[-1], [-2], [-3], [-4]]]]},
+    }
+    assert check_agreement([certificate], tmp_path) == 0
+    certificate["directrix"] = {"exterior": one}
+    certificate["proof"]["directrix"] = [one]
+    assert check_agreement([certificate], tmp_path) == 1
+
+
+def test_half_planes_are_not_listed_by_number(tmp_path: Path) -> None:
+    certificate = certificates()["inside"]
+    proof = certificate["proof"]
+    count = len(proof["sums"])
+    entries = [[k, move(chains, count)] for k, chains in proof["sums"]]
+    around = move(proof["around"], count)
+    half_plane = [len(proof["outside"]) * len(proof["part"]), around[:1]]
+    false = {**certificate, "proof": {**proof, "sums": [*entries, half_plane], "around": around}}
+    assert check_agreement([certificate, false], tmp_path) == 1
+
+
+def move(chains: Any, count: int) -> Any:
+    """Make room in chains for one more entry in front of those of the half-planes."""
+    return [[m + (m >= count) for m in chain] for chain in chains]
 
 
 def test_a_missing_file_proves_nothing(tmp_path: Path) -> None:

@@ -67,9 +67,12 @@ def test_a_file_that_is_none_is_refused_in_one_line(
     assert (said[:12], said.count("\n")) == ("not proved: ", 1)
 
 
-def test_a_file_is_needed(capsys: pytest.CaptureFixture[str]) -> None:
-    assert standalone.main(["none"]) == standalone.main([]) == 1
-    assert capsys.readouterr().out.count("not proved: ") == 2
+def test_one_file_is_needed(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    path = tmp_path / "certificate.json"
+    path.write_text(json.dumps(ALL["CM"]), encoding="utf-8")
+    for arguments in ([], ["none"], ["none", str(path)], [str(path)] * 2):
+        assert standalone.main(arguments) == 1
+    assert capsys.readouterr().out.count("not proved: ") == 4
 
 
 def test_the_file_imports_the_standard_library_alone() -> None:

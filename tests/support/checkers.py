@@ -25,7 +25,7 @@ def is_proved(certificate: Any) -> bool:
 
 def is_text_proved(text: str) -> bool:
     try:
-        certificate = load(text)
+        certificate = load(text.removeprefix("\ufeff"))
     except (Refused, ValueError, RecursionError):  # the latter two: not JSON
         return False
     return is_proved(certificate)
