@@ -68,8 +68,10 @@ def add_squares(stationary: Rings, moving: Rings, side: int) -> tuple[int, int, 
     """Return the squares in O by (1): first column, first row, columns."""
     left, low, near, inside = find_squares(stationary, side)
     squares = [a & ~b for a, b in zip(inside, near, strict=True)]
+    # Each block A, by its lower left square.
     squares = [a & a >> 1 & b & b >> 1 for a, b in pairwise(squares)]
     other_left, other_low, near, inside = find_squares(moving, side)
+    # All squares B.
     others = [a | b for a, b in zip(near, inside, strict=True)]
     # All columns of a set are packed into one int, at a fixed stride.
     stride = max(map(int.bit_length, squares)) + max(map(int.bit_length, others))
@@ -79,6 +81,7 @@ def add_squares(stationary: Rings, moving: Rings, side: int) -> tuple[int, int, 
         bits = [r for r, bit in enumerate(reversed(f"{rows:b}")) if bit == "1"]
         total |= reduce(or_, (packed << r for r in bits), 0) << k * stride
     mask = (1 << stride) - 1
+    # The middle of A + B is one column and one row beyond the sum of their lower left corners.
     found = [total >> k * stride & mask for k in range(len(squares) + len(others))]
     return left + other_left + 1, low + other_low + 1, found
 
@@ -96,7 +99,7 @@ def find_squares(rings: Rings, side: int) -> tuple[int, int, list[int], list[int
         sorted(edge) for ring in rings for edge in pairwise([ring[-1], *ring])
     ):
         dx, dy, first, last = qx - px, qy - py, -(-px // side) - 1, qx // side
-        # The heights of the edge at the borders of its columns, times dx.
+        # The heights of the edge at the left and right borders of its columns, times dx.
         xs = [px, *range((first + 1) * side, last * side + 1, side), qx]
         heights = pairwise([py * dx + (x - px) * dy for x in xs]) if dx else [(py, qy)] * len(xs)
         unit = side * (dx or 1)
@@ -104,5 +107,6 @@ def find_squares(rings: Rings, side: int) -> tuple[int, int, list[int], list[int
             top, bottom = max(start, end) // unit - low, -(-min(start, end) // unit) - 1 - low
             near[k - left] |= (2 << top) - (1 << bottom)
             if px <= k * side < qx:
+                # The parity of the edges below each square, along the left border of the column.
                 odd[k - left] ^= -1 << start // unit + 1 - low
     return left, low, near, odd

@@ -56,7 +56,7 @@ def cut(segments: Sequence[ContactSegment]) -> Pieces:
         record_crossing(segments[k], segments[j], bits)
     for segment in segments:
         dx, dy, _ = segment.line
-        for p, q in _find_left_over(segment, pieces.meetings):
+        for p, q in _find_remaining(segment, pieces.meetings):
             if segment.sides == BOTH:
                 pieces.two_sided.append((segment.line, p, q))
             elif segment.sides[0]:
@@ -73,7 +73,8 @@ def measure_keys(segments: Sequence[ContactSegment]) -> int:
         dx, dy, _ = segment.line
         longest |= dx | abs(dy)
         at_ends |= segment.low.denominator | segment.high.denominator
-    # Denominators of crossings are at most 2 longest^2.
+    # Bitwise or has the length of the longest number. Crossings have denominators of at most
+    # 2 longest^2.
     bits = 2 * max(1 + 2 * longest.bit_length(), at_ends.bit_length())
     for segment in segments:
         (n, d), (m, e) = segment.low.as_integer_ratio(), segment.high.as_integer_ratio()
@@ -109,13 +110,15 @@ def _find_sides(segment: ContactSegment, key: int) -> Sides:
     return segment.low_sides if key == low else segment.high_sides if key == high else segment.sides
 
 
-def _find_left_over(
+def _find_remaining(
     segment: ContactSegment, meetings: set[HomogeneousPoint]
 ) -> list[tuple[HomogeneousPoint, HomogeneousPoint]]:
     """Return the ends of the pieces that remain by (1), and add points to the meetings by (3)."""
     line, is_two_sided = segment.line, segment.sides == BOTH
-    left: list[tuple[_Parameter, _Parameter]] = []
-    # Hold each piece back: more crossings at its end may prove that it is in O.
+    remaining: list[tuple[_Parameter, _Parameter]] = []
+    # The last place passed: its parameter `start`, its key `at`, and whether a crossing there
+    # proves the piece after it in O. The piece before it waits, since further crossings at the same
+    # place may prove it in O.
     waiting: tuple[_Parameter, _Parameter] | None = None
     start, (at, end), covered = segment.low.as_integer_ratio(), segment.keys, False
     last: int | None = None
@@ -125,17 +128,17 @@ def _find_left_over(
         last = key
         if key > at:
             if waiting:
-                left.append(waiting)
+                remaining.append(waiting)
             waiting = None if covered or before else (start, (n, d))
             start, at, covered = (n, d), key, after
         else:
             waiting = None if before else waiting
             covered = covered or after
     if waiting:
-        left.append(waiting)
+        remaining.append(waiting)
     if at < end and not covered:
-        left.append((start, segment.high.as_integer_ratio()))
-    return [(find_point(line, *p), find_point(line, *q)) for p, q in left]
+        remaining.append((start, segment.high.as_integer_ratio()))
+    return [(find_point(line, *p), find_point(line, *q)) for p, q in remaining]
 
 
 def find_point(line: Line, n: int, d: int) -> HomogeneousPoint:

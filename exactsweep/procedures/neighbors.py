@@ -1,15 +1,17 @@
 """The pruning step for thin shapes, in which adjacent edges prove that ends of segments are in O.
 
-Let a be an edge of D, v a vertex of H, and c and c' the two edges after v. For any edge p of D and
-any edge q of H, O contains the interior of the parallelogram p + q: there p crosses an edge of G.
+Let a be an edge of D, v a vertex of H that faces it, and c and c' the two edges after v. For any
+edge e of D and any edge f of H, O contains the interior of the parallelogram e + f: there e crosses
+an edge of G.
 
-(1) If c' crosses the line through v along a, at v + w, the interior of a + c' contains a + v,
-    except for the part from which w leads out of a.
+(1) If c' crosses the line through v along a, at v + w, the interior of a + c' contains x + v for
+    each x of a with x - w inside a. Only the first part of a + v remains, if w leads forward along
+    a, or only the last part, if w leads back; each has the length of w.
 (2) If the edge b before a ends in a reflex vertex, and c leads to the right of b, the interior of
     b + c contains the first part of a + v.
 
-The same holds for the edges before v and after a. Ends are rounded outwards to ints, so numbers
-stay short.
+The same holds for the edges before v and after a. Remaining parts are rounded outwards to ints, so
+numbers stay short.
 """
 
 from __future__ import annotations
@@ -34,6 +36,7 @@ def leave_out_overlapped(
     points = [ring[(k + i) % len(ring)] for i in (-2, -1, 0, 1, 2)]
     unit = lcm(*(c.denominator for point in points for c in point))
     o, p, v, q, r = ((int(x * unit), int(y * unit)) for x, y in points)
+    # The far ends of c and c', seen from v.
     after, before = (*minus(q, v), *minus(r, v)), (*minus(p, v), *minus(o, v))
     kept: list[EdgeFeature] = []
     for edge in edges:
@@ -45,8 +48,9 @@ def leave_out_overlapped(
             (after, bx, by, True),
             (before, ax, ay, False),
         ):
+            # How far c leads to the left of the line along a, and c' ends to its right.
             past, back = ux * py - uy * px, uy * qx - ux * qy
-            if past > 0 < back:
+            if past > 0 < back:  # (1)
                 w = (qx * past + px * back) if dx else (qy * past + py * back)
                 reach = abs(w) // ((past + back) * unit) + 1
                 if w > 0:
@@ -55,7 +59,7 @@ def leave_out_overlapped(
                     start = max(start, high // 1 - reach)
             product, bend = px * ny - py * nx, nx * uy - ny * ux
             is_reflex = bend < 0 if is_first else bend > 0
-            if is_reflex and past and product > 0:
+            if is_reflex and past and product > 0:  # (2)
                 across = max(past * next_unit, abs(bend) * unit)
                 reach = -(-product * abs(dx or dy) // across) - 1
                 if is_first == ahead:

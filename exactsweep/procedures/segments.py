@@ -42,18 +42,27 @@ NEITHER: Sides = False, False
 BOTH: Sides = True, True
 
 Cut = tuple[int, int, int, bool, bool, Sides]
-"""A crossing: the key of its parameter; the parameter n / d; whether overlap passes through the
-crossing on the other segment's side before it, and after it; the sides of the other segment."""
+"""(key, n, d, before, after, sides): a crossing with another segment, at parameter n / d.
+
+    key            the key of n / d, see `crossings`
+    before, after  whether overlap beside the other segment passes through the crossing, on the
+                   side of the smaller and of the greater parameters
+    sides          the sides of the other segment
+"""
 
 Adjacent = tuple[int, int, int, int, int]
 """The vectors of the edges before and after an edge, times a unit, and the unit."""
 
 EdgeFeature = tuple[int, int, tuple[int, int], Rational, Rational, bool, Adjacent]
-"""An edge: its line, dx y - dy x = n / d, as dx, dy and (n, d); its least and its greatest
-parameter; whether it runs along (dx, dy); the adjacent edges."""
+"""(dx, dy, (n, d), low, high, ahead, adjacent): an edge on the line dx y - dy x = n / d.
+
+    low, high  its least and its greatest parameter
+    ahead      whether it runs along (dx, dy)
+    adjacent   the adjacent edges
+"""
 
 _Span = tuple[Rational, Rational, bool]
-"""A contact segment on its line: its ends, and whether it runs along the line."""
+"""(low, high, ahead): a contact segment on its line, as in `EdgeFeature`."""
 
 LeaveOut = Callable[[Sequence[EdgeFeature], Sequence[Vertex], int], Sequence[EdgeFeature]]
 """A pruning step: it returns the parts to keep of the edges that face vertex k of a ring."""
@@ -107,24 +116,26 @@ def find_contact_segments(
         [edge for rings in shapes for ring in rings for edge in ring]
     )
     ranked = [[[(angle(edge), edge) for edge in ring] for ring in rings] for rings in shapes]
-    pieces: defaultdict[Line, list[_Span]] = defaultdict(list)
-    for (ours, others), rings in ((ranked, moving), (ranked[::-1], stationary)):
-        order = sorted(chain.from_iterable(ours), key=itemgetter(0))
+    spans: defaultdict[Line, list[_Span]] = defaultdict(list)
+    # The edges of one shape face the vertices of the other one.
+    for (faced, facing_rings), rings in ((ranked, moving), (ranked[::-1], stationary)):
+        order = sorted(chain.from_iterable(faced), key=itemgetter(0))
         # Two turns, so that each range of directions is one slice.
         at = [a for a, _ in order] + [a + full_turn for a, _ in order]
         edges = [edge for _, edge in order] * 2
-        for ring, own in zip(rings, others, strict=True):
+        for ring, own in zip(rings, facing_rings, strict=True):
             for k, first, last in _find_convex_vertices([a for a, _ in own], full_turn):
                 facing = edges[bisect_left(at, first) : bisect_right(at, last)]
                 x, y = ring[k]
                 u, v, w = to_homogeneous(x, y)
                 for dx, dy, (offset, unit), low, high, ahead, _ in leave_out(facing, ring, k):
+                    # Move the edge by the vertex, and reduce its line.
                     c = unit * (dx * v - dy * u) + w * offset
                     common = gcd(unit * w, c)
                     times, along = unit * w // common, x if dx else y
                     line = times * dx, times * dy, c // common
-                    pieces[line].append((low + along, high + along, ahead))
-    return [segment for line, ends in pieces.items() for segment in _join(line, ends)]
+                    spans[line].append((low + along, high + along, ahead))
+    return [segment for line, ends in spans.items() for segment in _join(line, ends)]
 
 
 def _list_edges(ring: Sequence[Vertex]) -> list[EdgeFeature]:
@@ -171,14 +182,15 @@ def _find_convex_vertices(angles: Sequence[int], full_turn: int) -> Iterator[tup
             yield k, first, last
 
 
-def _join(line: Line, pieces: list[_Span]) -> Iterator[ContactSegment]:
+def _join(line: Line, spans: list[_Span]) -> Iterator[ContactSegment]:
     """Join the contact segments of one line; yield maximal segments with constant sides."""
-    if len(pieces) == 1:
-        ((low, high, ahead),) = pieces
+    if len(spans) == 1:
+        ((low, high, ahead),) = spans
         yield ContactSegment(line, low, high, (ahead, not ahead))
         return
-    events = [(low, True, ahead) for low, _, ahead in pieces]
-    events += [(high, False, ahead) for _, high, ahead in pieces]
+    events = [(low, True, ahead) for low, _, ahead in spans]
+    events += [(high, False, ahead) for _, high, ahead in spans]
+    # The numbers of segments that run against the line, and along it.
     count = [0, 0]
     segment: ContactSegment | None = None
     for place, group in groupby(sorted(events), key=itemgetter(0)):

@@ -61,6 +61,7 @@ def find_free(
     overlaps = cache(overlaps)
     rings = list(_walk_rings(pieces.one_sided, overlaps, least=least))
     if around_overlap:
+        # The same pieces, all of which are known to bound free regions, so no test is needed.
         rings = list(_walk_rings([*chain.from_iterable(rings)], lambda _: False, min))
     bounding = {piece[0] for ring in rings for piece in ring}
     free = [(line, p, q) for line, p, q in pieces.two_sided if not overlaps(_find_middle(p, q))]
@@ -95,6 +96,7 @@ def _walk_rings(
     outermost = _follow((least, least, 0, 1), leaving) if least else None
     done: set[OneSidedPiece] = set()
     for first in [outermost, *pieces] if outermost else pieces:
+        # The pieces of the walk that are in no ring yet, and the place of each by its start.
         path: list[OneSidedPiece] = []
         places: dict[HomogeneousPoint, int] = {}
         following: OneSidedPiece | None = first
@@ -123,7 +125,8 @@ def _follow(
     found = leaving.get(end, ())
     if len(found) < 2:
         return found[0] if found else None
-    # Sort by clockwise angle from the reverse of the piece, rotated to the X axis.
+    # The greatest clockwise angle from the reverse of the piece, which is rotated to the X axis, is
+    # the least counter-clockwise one.
     return choose(found, key=lambda p: angle_key((-dx * p[2] - dy * p[3], dx * p[3] - dy * p[2])))
 
 
@@ -137,7 +140,7 @@ def _make_canonical(ring: PieceRing, scale: int) -> tuple[list[Point], bool]:
     points = [_divide(piece[0], scale) for piece in corners]
     k = points.index(min(points))
     points = points[k:] + points[:k]
-    # The least vertex is convex.
+    # The least vertex is convex, so the turn there is the orientation of the loop.
     (_, _, bx, by), (_, _, dx, dy) = corners[k - 1], corners[k]
     if bx * dy > by * dx:
         return points, True

@@ -168,6 +168,6 @@ def test_remaining_pieces_are_those_without_cuts() -> None:
             if len(here) > 1 or (is_two_sided and any(noted[5] == (True, True) for noted in here))
         }
         meetings: set[tuple[int, int, int]] = set()
-        left = crossings._find_left_over(segment, meetings)
+        left = crossings._find_remaining(segment, meetings)
         assert [(p[0], q[0]) for p, q in left] == expected
         assert meetings == {(p, 0, 1) for p in suspected}
