@@ -30,7 +30,7 @@ def test_campaigns_begin_without_mismatch(name: str) -> None:
 
 @pytest.mark.long
 @pytest.mark.parametrize("name", PAIRS)
-def test_campaigns_go_on_without_mismatch(name: str) -> None:
+def test_campaigns_continue_without_mismatch(name: str) -> None:
     assert campaign.find_failures(name, 3, range(120)) == []
 
 

@@ -5,7 +5,7 @@ import mutants
 import pytest
 
 
-def test_a_package_is_tried_with_its_tests() -> None:
+def test_a_package_is_mutated_with_its_tests() -> None:
     settings = mutants.write_settings(("formats/rounding", "corpus/generator"), ())
     assert "only_mutate=\n    exactsweep/formats/rounding.py\n    exactsweep/corpus/" in settings
     assert "selection=\n    tests/formats\n    tests/corpus\npytest" in settings

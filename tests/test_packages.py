@@ -193,7 +193,7 @@ def test_type_names_are_unique() -> None:
     assert not found, found
 
 
-def test_namesakes_are_found() -> None:
+def test_duplicate_type_names_are_found() -> None:
     one = "class Ring: ...\n"
     other = "LIMIT = 3\n_Ring = tuple[int, int]\nclass Loop:\n    class LIMIT: ...\n"
     third = "Loop: TypeAlias = list[int]\n"

@@ -133,7 +133,7 @@ def test_the_picture_of_a_layout_is_up_to_date(tmp_path: Path) -> None:
 
 
 @pytest.mark.long
-def test_the_counts_of_claims_and_cases_hold() -> None:
+def test_the_counts_of_claims_and_cases_are_current() -> None:
     words = " ".join(FIRST.split())
     statuses = re.findall(r": ([a-z ]+) \(.*\)$", run("reproduce", "--list").stdout, re.M)
     count = Counter(statuses)

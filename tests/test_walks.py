@@ -142,7 +142,7 @@ def test_calls_take_the_walk(title: str, tmp_path: Path, monkeypatch: pytest.Mon
     assert find_misstep(list_walks()[title], seen) is None
 
 
-def test_missteps_are_found() -> None:
+def test_wrong_steps_are_found() -> None:
     a, b, c = ("a.py", "f"), ("b.py", "g"), ("c.py", "h")
     assert find_misstep([a, c], [a, b, c]) is None
     assert find_misstep([c, a], [a, b, c]) == a

@@ -38,7 +38,7 @@ def list_places(item: Any, path: tuple[Any, ...] = ()) -> list[tuple[Any, ...]]:
 
 
 @pytest.mark.parametrize("name", ["cave", "SS", "island", "layout"])
-def test_whatever_is_in_a_certificate_it_is_refused_or_proved(name: str) -> None:
+def test_every_certificate_is_refused_or_proved(name: str) -> None:
     rng = Random(name)
     certificate = two_ls() if name == "layout" else certificates()[name]
     places = list_places(certificate)[1:]
@@ -57,13 +57,13 @@ def test_whatever_is_in_a_certificate_it_is_refused_or_proved(name: str) -> None
 @pytest.mark.parametrize(
     "item", [*JUNK[:-3], object(), type, lambda: 0], ids=lambda i: str(type(i))
 )
-def test_what_is_no_certificate_is_refused(item: Any) -> None:
+def test_other_values_are_refused(item: Any) -> None:
     verdict = verify(item)
     assert not verdict.proved
     assert not verify({**two_ls(), "layout": item}).proved
 
 
-def test_lists_that_hold_themselves_are_refused() -> None:
+def test_recursive_lists_are_refused() -> None:
     ring: list[Any] = []
     ring += [ring] * 3
     certificate: Certificate = {**two_ls(), "turns": ring}
@@ -83,7 +83,7 @@ class Liar(str):
 
 
 @pytest.mark.parametrize("key", ["format", "claim"])
-def test_types_that_are_not_json_are_refused(key: str) -> None:
+def test_non_json_types_are_refused(key: str) -> None:
     certificate = certificates()["cave"]
     assert not verify({**certificate, key: Liar("no_fit")}).proved
     assert not verify({**certificate, "version": 3.0}).proved
@@ -106,7 +106,7 @@ def test_long_numbers_are_read(digits: int) -> None:
         number("x", "1" * 100_001)
 
 
-def test_the_work_is_bounded_by_the_size_or_by_the_caller() -> None:
+def test_the_step_limit_depends_on_the_size_or_the_caller() -> None:
     certificate = certificates()["SS"]
     assert prove(certificate, 10**6)
     with pytest.raises(Refused, match="too large"):
@@ -125,7 +125,7 @@ def test_letters_that_json_escapes_do_not_raise_the_limit() -> None:
     assert len(limits) == 1
 
 
-def test_an_object_has_no_key_twice() -> None:
+def test_duplicate_keys_are_refused() -> None:
     text = json.dumps(two_ls())
     assert prove(load(text))
     with pytest.raises(Refused, match="duplicate key"):

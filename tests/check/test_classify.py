@@ -107,7 +107,7 @@ def touching(draw: st.DrawFn) -> Case:
 
 @patient
 @given(touching())
-def test_verdict_is_that_of_the_slabs(case: Case) -> None:
+def test_verdicts_agree_with_slabs(case: Case) -> None:
     check(*case)
 
 
@@ -126,7 +126,7 @@ def test_polygon_overlaps_itself(polygon: Polygon) -> None:
 
 @patient
 @given(own.simple_polygons(), own.translations())
-def test_polygons_apart_are_free(polygon: Polygon, t: tuple[Fraction, Fraction]) -> None:
+def test_separate_polygons_are_free(polygon: Polygon, t: tuple[Fraction, Fraction]) -> None:
     low, high = polygon.bounding_box
     assert classify(polygon, polygon, (high.x - low.x + abs(t[0]) + 1, t[1])).verdict == "FREE"
 
@@ -175,7 +175,7 @@ def test_interlocked_combs_touch_and_then_overlap() -> None:
     assert check(comb, other, (1, Fraction(-1, 10**9))) == "OVERLAP"
 
 
-def test_bad_input_is_refused() -> None:
+def test_invalid_input_is_refused() -> None:
     with pytest.raises(PolygonError):
         classify([(0, 0), (1, 1)], SQUARE, (0, 0))
     with pytest.raises(NumberError):
@@ -247,7 +247,9 @@ def test_known_verdicts_with_holes(name: str) -> None:
 
 @patient
 @given(cell_sets(), cell_sets(), st.tuples(st.integers(-9, 9), st.integers(-9, 9)))
-def test_verdict_with_holes_is_as_counted(d: Cells, g: Cells, twice: tuple[int, int]) -> None:
+def test_verdicts_with_holes_agree_with_counting(
+    d: Cells, g: Cells, twice: tuple[int, int]
+) -> None:
     t = (Fraction(twice[0], 2), Fraction(twice[1], 2))
     shape, other = shape_of(d), shape_of(g)
     found = classify(shape, other, t)
@@ -256,7 +258,7 @@ def test_verdict_with_holes_is_as_counted(d: Cells, g: Cells, twice: tuple[int, 
 
 
 @pytest.mark.parametrize("position", [5, (1,), "ab", None, (1, 2, 3)])
-def test_a_position_that_is_no_pair_is_refused(position: object) -> None:
+def test_a_position_must_be_a_pair(position: object) -> None:
     square = [(0, 0), (1, 0), (1, 1), (0, 1)]
     with pytest.raises(PolygonError, match=r"^the position is "):
         classify(square, square, position)  # type: ignore[arg-type]
@@ -286,7 +288,7 @@ def test_witnesses_are_inside_both() -> None:
 
 
 @pytest.mark.parametrize("hole", [[(2, 2), (8, 8), (8, 2)], [(2, 2), (2, 8), (8, 8)]])
-def test_a_witness_is_not_on_an_edge_along_the_way_to_it(hole: Any) -> None:
+def test_a_witness_is_not_on_an_edge_along_its_ray(hole: Any) -> None:
     """From the corner of both squares along the diagonal: half-way to the hole is (1, 1)."""
     square = [(0, 0), (10, 0), (10, 10), (0, 10)]
     answer = classify(Region(square, [hole]), square, (0, 0))

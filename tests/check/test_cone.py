@@ -28,7 +28,7 @@ def test_directions_are_sorted_counter_clockwise_from_the_x_axis() -> None:
     assert by_turn((1, 0)) == by_turn((2, 0)) < by_turn((-1, 0)) == by_turn((-3, 0))
 
 
-def test_a_cone_holds_the_directions_in_its_sectors() -> None:
+def test_a_cone_contains_the_directions_in_its_sectors() -> None:
     for cone, sectors in CONES.items():
         held = {k for k in range(SIZE) if cone.holds(COMPASS[k])}
         assert held == sectors
@@ -36,7 +36,7 @@ def test_a_cone_holds_the_directions_in_its_sectors() -> None:
         assert strictly == {k for k in sectors if COMPASS[k] != cone.start}
 
 
-def test_two_cones_have_a_direction_in_common_if_they_share_a_sector() -> None:
+def test_cones_share_a_direction_if_they_share_a_sector() -> None:
     for one, other in product(CONES, repeat=2):
         found = find_common_direction([one], [other])
         assert (found is not None) == bool(CONES[one] & CONES[other])
@@ -45,13 +45,13 @@ def test_two_cones_have_a_direction_in_common_if_they_share_a_sector() -> None:
             assert other.surrounds(found)
 
 
-def test_a_common_direction_is_looked_for_among_all_cones() -> None:
+def test_a_common_direction_is_searched_among_all_cones() -> None:
     one, other, third = Cone((1, 0), (0, 1)), Cone((-1, 0), (0, -1)), Cone((0, 1), (-1, 0))
     assert find_common_direction([one, other], [third, other]) is not None
     assert find_common_direction([third], [one, other]) is None
 
 
-def test_rays_by_turns_out_and_in_are_the_sides_of_cones() -> None:
+def test_alternating_rays_out_and_in_bound_cones() -> None:
     rays = [Ray(COMPASS[k], k % 4 == 0) for k in (0, 2, 4, 5)]
     expected = {Cone(COMPASS[0], COMPASS[2]), Cone(COMPASS[4], COMPASS[5])}
     for order in permutations(rays):

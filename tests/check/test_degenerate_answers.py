@@ -82,9 +82,7 @@ def drawn(rng: Random) -> Iterator[Certificate]:
 
 
 @pytest.mark.parametrize("seed", [1, *(pytest.param(n, marks=pytest.mark.long) for n in "23456")])
-def test_degenerate_rings_and_loops_are_proved_unless_they_are_bent(
-    seed: int, tmp_path: Path
-) -> None:
+def test_degenerate_rings_and_loops_are_proved_unless_changed(seed: int, tmp_path: Path) -> None:
     rng = Random(seed)
     plain = [*drawn(rng)]
     straight = [renew(straighten(straighten(c, rng), rng)) for c in plain]

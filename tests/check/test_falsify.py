@@ -19,14 +19,14 @@ def test_falsified_certificates_are_refused(family: Family) -> None:
 
 
 @pytest.mark.parametrize("seed", range(3))
-def test_drawn_layouts_of_rounded_pieces_are_proved(seed: int) -> None:
+def test_random_layouts_of_rounded_pieces_are_proved(seed: int) -> None:
     for rng in map(Random, range(seed, 60, 3)):
         for certificate in draw_rounded(rng):
             assert is_true_rounded(certificate, None)
             assert standalone.prove(certificate)
 
 
-def test_a_checker_of_layouts_that_believes_all_normals_is_convicted() -> None:
+def test_a_layout_checker_that_trusts_all_normals_is_caught() -> None:
     with patch.object(standalone, "gap", lambda *_: True):
         _, missed = falsify(Random(5), 3, 20, LAYOUTS)
     assert missed

@@ -67,7 +67,7 @@ def changed(certificates: list[Any], count: int, seed: int) -> list[Any]:
     return [change(c, rng) for c in certificates for _ in range(count)]
 
 
-def test_both_agree_on_certificates_and_on_changed_ones(tmp_path: Path) -> None:
+def test_both_agree_on_true_and_changed_certificates(tmp_path: Path) -> None:
     true = [*corpus_certificates(10, 120), *layout_certificates(16)]
     assert check_agreement(true, tmp_path) == len(true)
     false = changed(true, 5, seed=1)
@@ -143,7 +143,7 @@ def valid_layout(**changes: Any) -> Any:
     return certificate
 
 
-def test_both_agree_on_the_letter_of_the_page(tmp_path: Path) -> None:
+def test_both_agree_on_every_rule_of_the_page(tmp_path: Path) -> None:
     true = [
         valid_layout(),
         valid_layout(turn=["1", "0"]),
@@ -167,7 +167,7 @@ def test_required_keys_are_not_null(tmp_path: Path) -> None:
     assert check_agreement(false, tmp_path) == 0
 
 
-def test_a_file_of_large_numbers_ends(tmp_path: Path) -> None:
+def test_a_file_of_large_numbers_is_checked_in_bounded_time(tmp_path: Path) -> None:
     certificate = faulty_layout([[f"{x}/{'3' * 20_000}1" for x in p] for p in BOW], ["1", "1"])
     certificate["layout"]["parts"][0]["turns"] = [f"1/{'7' * 40_000}"]
     assert ask_node([json.dumps(certificate)], tmp_path)[0].startswith("not proved: ")
@@ -220,7 +220,7 @@ def test_a_missing_file_proves_nothing(tmp_path: Path) -> None:
 
 @pytest.mark.long
 @pytest.mark.parametrize("seed", [1, 2])
-def test_both_agree_on_drawn_certificates(seed: int, tmp_path: Path) -> None:
+def test_both_agree_on_random_certificates(seed: int, tmp_path: Path) -> None:
     rng = Random(seed)
     certificates = [*corpus_certificates(14, 12), *layout_certificates(1)]
     for _ in range(15):

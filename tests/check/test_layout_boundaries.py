@@ -58,7 +58,7 @@ CANCELLING: dict[str, tuple[Certificate, list[int], list[str]]] = {
 
 
 @pytest.mark.parametrize("name", CANCELLING)
-def test_edges_that_cancel_are_not_near_anything(name: str) -> None:
+def test_canceled_edges_have_no_distance(name: str) -> None:
     certificate, bodies, point = CANCELLING[name]
     assert prove(certificate).endswith("valid")
     fault = {"kind": "too close", "placements": bodies, "point": point}
@@ -83,7 +83,7 @@ MALFORMED = {
 
 
 @pytest.mark.parametrize("name", MALFORMED)
-def test_keys_of_another_type_are_refused(name: str) -> None:
+def test_keys_of_the_wrong_type_are_refused(name: str) -> None:
     assert prove(disc(holes=[], demand=1))
     assert prove(with_faults(disc(), MISSING))
     with pytest.raises(Refused):

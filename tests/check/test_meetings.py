@@ -28,7 +28,7 @@ AROUND = [(-9, -9), (30, -9), (30, 30), (-9, 30)]
         [(20, 3), (2, 2), (3, 20)],
     ],
 )
-def test_a_witness_is_half_way_to_the_boundary(notch: list[tuple[int, int]]) -> None:
+def test_a_witness_is_halfway_to_the_boundary(notch: list[tuple[int, int]]) -> None:
     """The diagonal from the least vertex meets a notch at (2, 2), which may continue along the
     diagonal."""
     part = [(0, 0), (20, 0), *notch, (0, 20)]
@@ -63,7 +63,7 @@ def test_holes_that_touch_the_exterior_inside_an_edge(turns: int) -> None:
             assert classify(one, other, (0, 0)).verdict == verdict
 
 
-def test_the_lowest_two_edges_are_seen_to_cross() -> None:
+def test_the_lowest_two_edges_may_cross() -> None:
     """A triangle that starts inside a square and crosses its bottom edge."""
     square, triangle = ((0, 0), (4, 0), (4, 4), (0, 4)), ((1, 1), (2, -1), (3, 1))
     for shapes in (((square,), (triangle,)), ((triangle,), (square,))):

@@ -33,7 +33,7 @@ def disc(x: Any, y: Any, radius: Any) -> dict[str, Any]:
 
 
 @pytest.mark.parametrize("seed", range(3))
-def test_pieces_are_apart_where_hulls_are_as_far_as_their_radii(seed: int) -> None:
+def test_pieces_are_apart_if_the_distance_of_hulls_is_the_sum_of_radii(seed: int) -> None:
     rng, verdicts = Random(seed), set()
     for _ in range(60):
         room = Fraction(rng.choice([0, 0, 1, 2]), rng.choice([1, 3]))
@@ -44,7 +44,7 @@ def test_pieces_are_apart_where_hulls_are_as_far_as_their_radii(seed: int) -> No
 
 
 @pytest.mark.parametrize("seed", range(2))
-def test_a_point_nearer_than_both_radii_is_an_overlap(seed: int) -> None:
+def test_a_point_closer_than_both_radii_is_an_overlap(seed: int) -> None:
     rng = Random(seed)
     for _ in range(60):
         one, other = draw_pair(rng, Fraction(0))
@@ -81,7 +81,7 @@ def test_errors_count_for_rounded_pieces(error: str, is_close: bool) -> None:
 
 
 @pytest.mark.parametrize("length", [4, 4 - Fraction(1, 10**12), 4 + Fraction(1, 10**12), 6])
-def test_a_disc_is_in_a_disc_where_its_center_is_near_enough(length: Any) -> None:
+def test_a_disc_is_inside_a_disc_if_its_center_is_close_enough(length: Any) -> None:
     x, y = length * Fraction(3, 5), length * Fraction(4, 5)
     certificate = rounded_layout([[disc(x, y, 1)]], container={"pieces": [DISC]})
     assert is_proved(certificate) is (length <= 4)
@@ -105,7 +105,7 @@ def test_a_margin_and_errors_shrink_a_round_container() -> None:
     assert not is_proved(small)
 
 
-def test_a_rounded_rectangle_holds_pieces_of_larger_radius() -> None:
+def test_a_rounded_rectangle_contains_pieces_of_larger_radius() -> None:
     container = {"pieces": [{"points": rect(0, 0, 20, 10), "radius": "1"}]}
     for x, is_valid in ((3, True), (Fraction(29, 10), False), (50, False)):
         certificate = rounded_layout([[disc(x, 5, 4)]], container)
@@ -115,7 +115,7 @@ def test_a_rounded_rectangle_holds_pieces_of_larger_radius() -> None:
     assert is_proved(rounded_layout([[{**slot, "radius": "1"}]], container))
 
 
-def test_without_a_container_parts_are_judged_among_themselves() -> None:
+def test_without_a_container_parts_are_only_compared_with_each_other() -> None:
     pieces = [[{"points": rect(0, 0, 2, 2)}], [{"points": rect(2, 0, 4, 2)}]]
     certificate = rounded_layout(pieces, margin="9")
     assert prove(certificate) == "layout of 2 placements, valid"
@@ -175,7 +175,7 @@ def test_each_condition_of_rounded_pieces_is_needed(name: str) -> None:
     assert reason in str(caught.value)
 
 
-def test_rounded_pieces_have_no_fault_of_shape() -> None:
+def test_rounded_pieces_cannot_have_a_shape_fault() -> None:
     certificate = rounded_layout([[disc(0, 0, 1), disc(0, 0, 1)]])
     fault = {"kind": "shape", "part": "0", "point": ["0", "0"]}
     assert not is_proved(with_faults(certificate, fault))

@@ -268,7 +268,7 @@ def test_a_shape_with_winding_number_2_is_refused() -> None:
     assert "do not cancel" in refusal(put(certificate, ("proof", "directrix"), [*cut, middle]))
 
 
-def test_groups_of_pieces_are_asked_about_one_by_one() -> None:
+def test_groups_of_pieces_are_tested_one_by_one() -> None:
     """With two separate squares, the loop around one of the two sums proves nothing."""
     square, other = (
         [[f"{x}", f"{y}"] for x, y in ((a, 0), (a + 1, 0), (a + 1, 1), (a, 1))] for a in (0, 9)
@@ -281,7 +281,7 @@ def test_groups_of_pieces_are_asked_about_one_by_one() -> None:
 
 
 @pytest.mark.parametrize("order", [[0, 1, 2], [2, 1, 0], [1, 2, 0]])
-def test_intervals_cover_in_any_order(order: list[int]) -> None:
+def test_intervals_may_cover_in_any_order(order: list[int]) -> None:
     half = Fraction(1, 2)
     spans: list[Any] = [(-1, True, half), (half, False, half), (half, True, 2)]
     assert covers([spans[k] for k in order])
@@ -301,7 +301,7 @@ def test_convex_rings_turn_left_and_go_once_around() -> None:
     assert not is_convex([*square, node(0, Fraction(1, 2))])
 
 
-def test_edges_own_their_lower_ends() -> None:
+def test_edges_include_their_lower_ends() -> None:
     square = list_edges([node(*p) for p in ((0, 0), (2, 0), (2, 2), (0, 2))])
     inside = [(0, 0), (1, 1), (1, 0), (0, 1)]
     outside = [(2, 0), (2, 2), (0, 2), (2, 1), (1, 2), (-1, 1), (3, 1)]
@@ -349,7 +349,7 @@ def test_the_frame_of_an_inner_fit_may_be_its_container() -> None:
     assert prove({**certificate, "proof": proof})
 
 
-def test_fits_are_written_in_any_order_and_direction() -> None:
+def test_fits_may_have_any_order_and_direction() -> None:
     certificate = certificates()["inside exactly"]
     fits = [fit[::-1] for fit in certificate["exact_fits"]]
     assert fits
@@ -366,7 +366,7 @@ def renumbered(certificate: Any, exterior: Any, edges: Callable[[int], list[int]
     return put({**certificate, "exterior": exterior}, ("proof", "sums"), sums)
 
 
-def test_loops_start_anywhere_and_have_straight_angles() -> None:
+def test_loops_may_start_anywhere_and_have_straight_angles() -> None:
     certificate = json.loads(json.dumps(no_fit_polygon(HOUSE, HOUSE).certificate()))
     ring, count = certificate["exterior"], len(certificate["exterior"])
     turned = renumbered(certificate, ring[1:] + ring[:1], lambda k: [(k - 1) % count])

@@ -57,7 +57,7 @@ def test_the_file_proves_certificates_by_itself(tmp_path: Path) -> None:
     ],
     ids=lambda text: text[:20],
 )
-def test_a_file_that_is_none_is_refused_in_one_line(
+def test_a_file_without_a_certificate_is_refused_in_one_line(
     text: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     path = tmp_path / "certificate.json"
@@ -75,7 +75,7 @@ def test_one_file_is_needed(tmp_path: Path, capsys: pytest.CaptureFixture[str]) 
     assert capsys.readouterr().out.count("not proved: ") == 4
 
 
-def test_the_file_imports_the_standard_library_alone() -> None:
+def test_the_file_imports_only_the_standard_library() -> None:
     tree = ast.parse(FILE.read_text(encoding="utf-8"))
     names = [n.module for n in ast.walk(tree) if isinstance(n, ast.ImportFrom)]
     names += [a.name for n in ast.walk(tree) if isinstance(n, ast.Import) for a in n.names]

@@ -253,7 +253,7 @@ def test_defects_cross_the_edge_and_each_other() -> None:
 
 
 @pytest.mark.parametrize(("gap", "is_valid"), [("0", False), ("19/100", False), ("1/5", True)])
-def test_errors_of_both_count(gap: str, is_valid: bool) -> None:
+def test_errors_of_both_bodies_add_up(gap: str, is_valid: bool) -> None:
     part = {**SQUARE, "error": "1/10"}
     found = layout([part], [at(5, 5), at(7 + Fraction(gap), 5)], [[rect(0, 0, 2, 2)]])
     if is_valid:
@@ -319,7 +319,7 @@ def test_irrational_rotations_have_an_error() -> None:
 
 
 @pytest.mark.parametrize("degrees", [0, 36, 90, 180, 270, 359])
-def test_a_rotation_is_the_same_after_whole_turns(degrees: int) -> None:
+def test_rotations_are_modulo_360_degrees(degrees: int) -> None:
     found = [rotation("turn", str(degrees + k)) for k in (0, 360, -720)]
     assert found == found[:1] * 3
     assert rotation("turn", "450") == (0, 1)
@@ -327,7 +327,7 @@ def test_a_rotation_is_the_same_after_whole_turns(degrees: int) -> None:
 
 
 @pytest.mark.parametrize("degrees", [1, 30, 45, 60, 89, 91, 135, 200, 271, 330, 359])
-def test_the_bound_on_a_rotation_is_that_of_interval_arithmetic(degrees: int) -> None:
+def test_the_bound_on_a_rotation_agrees_with_interval_arithmetic(degrees: int) -> None:
     from mpmath import iv
 
     before = iv.prec
@@ -348,7 +348,7 @@ def test_the_bound_on_a_rotation_is_that_of_interval_arithmetic(degrees: int) ->
 
 
 @pytest.mark.parametrize(("spacing", "is_valid"), [("2", True), ("21/10", False), (None, False)])
-def test_a_defect_may_have_a_distance_of_its_own(spacing: Any, is_valid: bool) -> None:
+def test_a_defect_may_have_its_own_spacing(spacing: Any, is_valid: bool) -> None:
     defect = {"exterior": rect(1, 1, 4, 4), "spacing": spacing}
     found = layout([SQUARE], [at(6, 3)], [[rect(0, 0, 2, 2)]], defects=[defect], margin="3")
     assert is_proved(found) is is_valid
@@ -359,7 +359,7 @@ def test_a_defect_may_have_a_distance_of_its_own(spacing: Any, is_valid: bool) -
 @pytest.mark.parametrize(
     ("allowed", "is_valid"), [(None, False), (["0"], True), ([], False), (["90"], False)]
 )
-def test_mirrored_placements_may_have_rotations_of_their_own(allowed: Any, is_valid: bool) -> None:
+def test_mirrored_placements_may_have_their_own_rotations(allowed: Any, is_valid: bool) -> None:
     part = {**SQUARE, "turns": ["180"], "mirrored_turns": allowed}
     found = layout([part], [at(9, 9, mirrored=True)], [[rect(0, 0, 2, 2)]])
     assert is_proved(found) is is_valid

@@ -94,7 +94,7 @@ def test_the_path_of_the_caller_is_compared() -> None:
 
 
 @needs_node
-def test_both_checkers_agree_on_the_letter_of_the_page(tmp_path: Path) -> None:
+def test_both_checkers_agree_on_every_rule_of_the_page(tmp_path: Path) -> None:
     ring, filled = certificates()["path"], certificates()["slit"]
     first, *rest = ring["path"]
     true = [
@@ -124,7 +124,7 @@ def test_both_checkers_agree_on_the_letter_of_the_page(tmp_path: Path) -> None:
 
 @needs_node
 @pytest.mark.parametrize("seed", [1, *(pytest.param(n, marks=pytest.mark.long) for n in "234")])
-def test_both_checkers_agree_on_drawn_sums_and_changed_ones(seed: int, tmp_path: Path) -> None:
+def test_both_checkers_agree_on_random_and_changed_sums(seed: int, tmp_path: Path) -> None:
     rng = Random(seed)
     true = [found for _ in range(8) for found in draw_sums(rng)]
     assert check_agreement(true, tmp_path) == len(true)
@@ -132,7 +132,7 @@ def test_both_checkers_agree_on_drawn_sums_and_changed_ones(seed: int, tmp_path:
     assert check_agreement(false, tmp_path) < len(false) / 2
 
 
-def test_a_point_twice_in_a_row_is_no_segment() -> None:
+def test_a_repeated_point_is_not_a_segment() -> None:
     """The numbers of sums count the segments that remain."""
     shape = Region([(0, 0), (2, 0), (2, 2), (0, 2)])
     once = plain(minkowski_sum(shape, Polyline([(0, 0), (3, 1), (5, 0)])).certificate())

@@ -73,7 +73,7 @@ def test_the_polygons_of_the_caller_are_compared(
         assert any(name in verdict.reason for name in given)
 
 
-def test_a_hole_given_the_other_way_around_is_the_same() -> None:
+def test_a_hole_may_have_either_orientation() -> None:
     holed = Region([(0, 0), (9, 0), (9, 9), (0, 9)], [[(1, 1), (3, 1), (3, 3), (1, 3)]])
     certificate = json.loads(json.dumps(no_fit_polygon(holed, SQUARE).certificate()))
     certificate["directrix"]["holes"][0].reverse()
@@ -93,13 +93,13 @@ def test_shapely_polygons_and_lines_are_compared() -> None:
 
 
 @pytest.mark.parametrize("given", [3, object()])
-def test_what_is_no_polygon_is_an_error(given: Any) -> None:
+def test_other_shapes_are_errors(given: Any) -> None:
     with pytest.raises(ExactSweepError, match="is not a polygon"):
         verify({}, directrix=given)
 
 
 @pytest.mark.parametrize("wrong", ["00", {0}, {0: 0, 1: 1}, (0, 0, 0), 5])
-def test_text_and_sets_are_no_points(wrong: Any) -> None:
+def test_strings_and_sets_are_not_points(wrong: Any) -> None:
     polygon: Any = [(0, 0), wrong, (2, 2), (0, 2)]
     for name in ("generatrix", "directrix", "part", "container", "shape", "path"):
         with pytest.raises(PolygonError, match=f"^{name}: vertex 1 is .*not a pair of numbers"):
@@ -108,7 +108,7 @@ def test_text_and_sets_are_no_points(wrong: Any) -> None:
         point_in_polygon(wrong, SQUARE)
 
 
-def test_a_witness_is_rounded_whatever_the_caller_traps() -> None:
+def test_a_witness_is_rounded_despite_decimal_traps() -> None:
     wrong = json.loads(json.dumps(certificates()["CC"]))
     wrong["exterior"][:2] = [["-1/3", "-100/3"]] * 2
     with localcontext() as context:
@@ -120,6 +120,6 @@ def test_a_witness_is_rounded_whatever_the_caller_traps() -> None:
 
 
 @pytest.mark.parametrize("steps", [0, -1, 1.5, True, "9"])
-def test_the_work_bound_is_an_int_above_0(steps: Any) -> None:
+def test_the_step_limit_is_a_positive_int(steps: Any) -> None:
     with pytest.raises(ExactSweepError, match="max_steps must be an int"):
         verify({}, max_steps=steps)

@@ -34,7 +34,9 @@ UNREAD = "while (echo) 2>&-; do :; done"
     ],
     ids=range(9),
 )
-def test_bad_input_is_reported_in_one_line(tmp_path: Path, content: bytes, message: str) -> None:
+def test_invalid_input_is_reported_in_one_line(
+    tmp_path: Path, content: bytes, message: str
+) -> None:
     path = tmp_path / "bad.txt"
     path.write_bytes(content)
     assert refusal(run("sweep", str(path), NOTCH)).startswith(f"{path}: {message}")

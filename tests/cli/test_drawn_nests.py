@@ -22,7 +22,7 @@ def judge(folder: Path, form: str, plates: list[Plate], *options: str, **drawn: 
 
 
 @pytest.mark.parametrize("form", WRITERS)
-def test_a_right_nest_is_valid(form: str, tmp_path: Path) -> None:
+def test_a_correct_nest_is_valid(form: str, tmp_path: Path) -> None:
     code, found = judge(tmp_path, form, draw_plates())
     assert (code, found["valid"], found["unchecked"], found["unit"]) == (0, True, [], "mm")
     assert found["distance_squared"] == "4"
@@ -117,7 +117,7 @@ def test_flat_outlines_are_parts(form: str, tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize("form", WRITERS)
-def test_a_part_in_a_hole_is_a_part(form: str, tmp_path: Path) -> None:
+def test_a_part_inside_a_hole_is_a_part(form: str, tmp_path: Path) -> None:
     plates = draw_plates()
     x, y = plates[0].holes[0][0]
     small = Plate("small", [(x + 1, y + 1), (x + 3, y + 1), (x + 3, y + 3), (x + 1, y + 3)], [])

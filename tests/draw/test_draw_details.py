@@ -85,7 +85,7 @@ def lines_of(palette: dict[str, str]) -> dict[str, str]:
 
 
 @pytest.mark.parametrize("palette", [style.LIGHT, style.DARK], ids=["light", "dark"])
-def test_a_color_has_one_meaning_for_all_eyes(palette: dict[str, str]) -> None:
+def test_colors_are_distinguishable_for_color_blind_readers(palette: dict[str, str]) -> None:
     assert palette.keys() == style.LIGHT.keys()
     assert too_near(lines_of(palette)) == []
     # The former colors fail: EV had the color of G, VE that of undercuts, VV that of fits.
@@ -138,7 +138,7 @@ def test_undercuts_that_are_shown_are_far_apart() -> None:
 
 @pytest.mark.parametrize("s", [EXAMPLE, UNEQUAL, FLAT], ids=["plain", "unequal", "flat"])
 @pytest.mark.parametrize("size", [None, (9, 3)])
-def test_the_legend_is_never_higher_than_the_picture(
+def test_the_legend_is_never_taller_than_the_picture(
     s: Sweep, size: tuple[float, float] | None
 ) -> None:
     figure = make_figure(size=size)
@@ -148,7 +148,9 @@ def test_the_legend_is_never_higher_than_the_picture(
 
 @examples(6)
 @given(st.integers(1, 140), st.booleans())
-def test_legends_of_wide_and_high_pictures_are_no_higher(width: int, upright: bool) -> None:
+def test_legends_of_wide_and_tall_pictures_are_no_taller_than_the_picture(
+    width: int, upright: bool
+) -> None:
     sides = (Fraction(width, 10), Fraction(1))
     x, y = sides[::-1] if upright else sides
     require_lower_legend(drawn(sweep(UNIT, [(0, 0), (10 * x, 0), (10 * x, 10 * y), (0, 10 * y)])))

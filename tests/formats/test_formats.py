@@ -78,7 +78,7 @@ def test_json_of_a_sweep_is_complete(
     ],
     ids=["lists", "objects", "closed lists", "digits", "a cell"],
 )
-def test_long_texts_are_rejected_by_name(text: str, message: str) -> None:
+def test_long_strings_are_rejected_by_name(text: str, message: str) -> None:
     with pytest.raises(FormatError, match=f"^{re.escape(message)}"):
         parse_polygon(text)
 

@@ -72,7 +72,7 @@ def to_interval(value: Fraction | int) -> Any:
     scales,
     tolerances,
 )
-def test_a_circular_segment_is_simple_and_near_in_both_directions(
+def test_a_circular_segment_is_simple_and_close_in_both_directions(
     bulge: Fraction, side: int, backward: bool, scale: Fraction, tolerance: str
 ) -> None:
     """A bulged polyline and its chord, in either direction."""
@@ -116,7 +116,7 @@ def test_a_circular_segment_is_simple_and_near_in_both_directions(
     scales,
     tolerances,
 )
-def test_a_cubic_over_its_chord_is_near_in_both_directions(
+def test_a_cubic_over_its_chord_is_close_in_both_directions(
     inner: list[tuple[Fraction, Fraction]], backward: bool, scale: Fraction, tolerance: str
 ) -> None:
     """Above its chord, from left to right, so that it is simple."""
@@ -238,7 +238,7 @@ def test_crossing_outlines_are_filled_by_their_rule() -> None:
     scales,
     tolerances,
 )
-def test_an_ellipse_under_any_map_is_simple_and_near(
+def test_an_ellipse_under_any_map_is_simple_and_close(
     radius: Fraction, ratio: Fraction, matrix: list[Fraction], scale: Fraction, tolerance: str
 ) -> None:
     a, b, c, d = matrix
@@ -275,7 +275,7 @@ def test_an_ellipse_under_any_map_is_simple_and_near(
     scales,
     tolerances,
 )
-def test_a_closed_spline_is_simple_and_near_in_both_directions(
+def test_a_closed_spline_is_simple_and_close_in_both_directions(
     degree: int, radii: list[Fraction], backward: bool, scale: Fraction, tolerance: str
 ) -> None:
     """A periodic B-spline around a point, evaluated by de Boor's algorithm in rationals."""

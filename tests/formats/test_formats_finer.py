@@ -44,7 +44,7 @@ circles = st.tuples(*[st.integers(0, 30).map(float)] * 2, st.integers(1, 9).map(
 
 @examples(15)
 @given(st.lists(circles, min_size=2, max_size=4), st.sampled_from(["nonzero", "evenodd"]))
-def test_a_finer_region_is_near_the_coarse_one(
+def test_a_finer_region_is_close_to_the_coarse_one(
     drawn: list[tuple[float, float, float]], rule: str
 ) -> None:
     for one in parse_candidates(f"<svg>{draw_path(drawn, rule)}</svg>"):

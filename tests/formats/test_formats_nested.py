@@ -28,7 +28,7 @@ from exactsweep.formats import (
     st.randoms(use_true_random=False),
     st.sampled_from([Fraction(1), Fraction(1, 8), Fraction(10**20)]),
 )
-def test_any_set_of_parts_comes_back(cells: set[Cell], random: object, scale: Fraction) -> None:
+def test_any_set_of_parts_round_trips(cells: set[Cell], random: object, scale: Fraction) -> None:
     parts = []
     while cells:
         part = connect(cells)

@@ -25,7 +25,7 @@ def test_numbers_of_sympy_name_the_vertex() -> None:
         from_sympy(sympy.RegularPolygon((0, 0), 1, 3))
 
 
-def test_sympy_leftovers_are_no_polygons() -> None:
+def test_degenerate_sympy_polygons_are_rejected() -> None:
     with pytest.raises(FormatError, match=r"^a sympy Segment2D is not a polygon$"):
         from_sympy(sympy.Polygon((0, 0), (1, 1), (2, 2)))
 

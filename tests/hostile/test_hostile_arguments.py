@@ -19,7 +19,7 @@ def test_errors_name_the_argument_and_its_type() -> None:
         shrink(find_case("directions-y"), lambda case: "x", tries="a")  # type: ignore[arg-type]
 
 
-def test_faults_of_the_program_are_not_those_of_its_caller() -> None:
+def test_the_caller_is_not_blamed_for_internal_errors() -> None:
     """Errors on arguments of the right type are unchanged."""
 
     @explain_type_errors
@@ -45,7 +45,7 @@ def test_a_path_may_be_an_object(tmp_path: Path) -> None:
     assert read_polygon(path).area == Fraction(1, 2)
 
 
-def test_a_number_is_no_path_but_an_open_file() -> None:
+def test_integers_are_not_file_descriptors() -> None:
     """Once True was read as standard output, and closed it."""
     for number in (0, 1, True):
         with pytest.raises(ExactSweepError, match="is not a path"):

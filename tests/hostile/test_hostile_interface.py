@@ -346,7 +346,7 @@ def test_wrong_arguments_of_methods_and_shapes_are_rejected() -> None:
     assert refused > tried / 2
 
 
-def test_vertices_and_edges_that_are_not_there() -> None:
+def test_missing_vertices_and_edges_are_rejected() -> None:
     with pytest.raises(PolygonError, match=r"^there is no vertex 4: they are numbered 0 to 3$"):
         Polygon(UNIT).vertex_index(4)
     with pytest.raises(PolygonError, match=r"^there is no edge -8: they are numbered 0 to 6$"):

@@ -53,7 +53,7 @@ def mutate(text: str, rng: Random) -> str:
 
 
 @pytest.mark.parametrize("form", mostly_long(FORMATS, ["wkt", "geojson", "json"]))
-def test_files_with_something_wrong_are_read_or_refused(form: str) -> None:
+def test_damaged_inputs_are_read_or_refused(form: str) -> None:
     rng = Random(f"mutations {form}")
     texts = [format_polygons([part], form) for part in PARTS]
     if form == "svg":
@@ -154,7 +154,7 @@ LINES: dict[str, tuple[str, Callable[[str], object]]] = {
 
 
 @pytest.mark.parametrize("what", LINES)
-def test_lines_with_something_wrong_are_read_or_refused(what: str) -> None:
+def test_damaged_lines_are_read_or_refused(what: str) -> None:
     rng = Random(f"lines {what}")
     good, read = LINES[what]
     refused = 0

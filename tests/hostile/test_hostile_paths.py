@@ -31,7 +31,7 @@ UNWRITABLE = ["/"] + [
         *((f"{command.strip()} -o {{}}", UNWRITABLE) for command in WRITING.split("|")),
     ],
 )
-def test_paths_that_cannot_be_used(
+def test_unusable_paths_are_rejected(
     command: str, paths: list[str], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.chdir(tmp_path)

@@ -150,7 +150,9 @@ FORMS = ("json", "wkt", "geojson", "svg", "dxf", "csv")
 
 @pytest.mark.parametrize("form", FORMS)
 @pytest.mark.parametrize(("g", "d"), PAIRS)
-def test_loops_are_read_from_every_format_that_holds_them(g: Points, d: Points, form: str) -> None:
+def test_loops_are_read_from_every_format_that_can_represent_them(
+    g: Points, d: Points, form: str
+) -> None:
     s = sweep(g, d)
     loops = [s.trajectory, s.inner, s.outer, *s.no_fit_holes]
     loops = [loop for loop in loops if form == "json" or is_decimal([loop])]

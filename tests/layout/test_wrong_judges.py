@@ -14,7 +14,7 @@ CASES: dict[str, tuple[Layout, Answer]] = {
 CASES |= {name: (layout, []) for name, layout in VALID.items()} | FAULTY
 
 
-def test_the_judge_is_right_in_all_cases() -> None:
+def test_the_judge_is_correct_in_all_cases() -> None:
     assert [
         name for name, (layout, known) in CASES.items() if sorted(right(layout)) != sorted(known)
     ] == []

@@ -67,14 +67,14 @@ def test_all_lessons_are_listed() -> None:
     assert all(list_titles().values())
 
 
-def test_nothing_of_a_machine_is_stored() -> None:
+def test_no_machine_details_are_stored() -> None:
     for name in list_titles():
         text = (FOLDER / f"{name}.ipynb").read_text(encoding="utf-8")
         assert not re.search(r"0x[0-9a-f]{6,}|/(?:tmp|home|root|work|usr)/", text)
         assert json.loads(text)["nbformat"] == 4
 
 
-def test_a_notebook_that_shows_something_else_is_noticed(tmp_path: Any) -> None:
+def test_changed_output_of_a_notebook_is_noticed(tmp_path: Any) -> None:
     stored = read_notebook("sweeps")
     (cell,) = (c for c in stored["cells"] if list_prints(c).startswith("swept 72"))
     cell["outputs"][0]["text"] = ["swept 71\n"]

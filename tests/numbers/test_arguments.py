@@ -121,7 +121,7 @@ def test_only_the_first_items_are_examined() -> None:
     assert tell([0] * 100 + ["a"], list[int]) is None
 
 
-def test_the_first_of_several_is_reported() -> None:
+def test_the_first_of_several_errors_is_reported() -> None:
     @explain_type_errors
     def join(first: int, *many: int, last: int = 0, **named: int) -> int:
         return first.bit_length() + sum(many) + last + sum(named.values())
@@ -136,7 +136,7 @@ def test_the_first_of_several_is_reported() -> None:
             join(1, **others)
 
 
-def test_refusals_are_unchanged() -> None:
+def test_error_messages_are_unchanged() -> None:
     @explain_type_errors
     def refuse(argument: int) -> None:
         raise ExactSweepError(f"no {argument}")

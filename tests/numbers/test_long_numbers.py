@@ -74,7 +74,7 @@ def long_star(n: int, digits: int) -> list[tuple[Fraction, Fraction]]:
     return [*zip(points[::2], points[1::2], strict=True)]
 
 
-def test_points_of_mixed_numbers_are_turned_by_their_signs() -> None:
+def test_orientations_of_mixed_numbers_are_correct() -> None:
     half = Fraction(1, 2)
     ring: list[Vertex] = [(0, 0), (1, 0), (0, half)]
     for spelled in (ring, ring[::-1]):
@@ -141,7 +141,7 @@ def test_areas_of_answers_add_up_in_time(monkeypatch: pytest.MonkeyPatch) -> Non
     assert verify(s.certificate()).proved
 
 
-def test_holes_of_unrelated_denominators_share_no_lattice() -> None:
+def test_holes_with_unrelated_denominators_share_no_lattice() -> None:
     """Each of 60 has one of 2000 bits; a former version multiplied all of them."""
     rng = Random(5)
     units = [Fraction(1, rng.getrandbits(2000) | 1) for _ in range(60)]
@@ -158,7 +158,7 @@ def test_holes_of_unrelated_denominators_share_no_lattice() -> None:
 
 @pytest.mark.parametrize("digits", [1, 639, 640, 641, 4299, 4300, 4301, 40_000])
 @pytest.mark.parametrize("sign", ["", "-"])
-def test_digits_come_and_go(digits: int, sign: str) -> None:
+def test_digits_round_trip(digits: int, sign: str) -> None:
     rng = Random(digits)
     for text in ("9" * digits, "1" + "0" * (digits - 1), str(rng.getrandbits(64)) * (digits // 19)):
         if text:

@@ -77,7 +77,7 @@ def test_grammar_accepts(text: str, value: Fraction) -> None:
 
 
 @pytest.mark.parametrize(("call", "said"), list_refusals(__file__))
-def test_refusals_name_the_value_that_is_not_a_number(call: str, said: str) -> None:
+def test_errors_name_the_value_that_is_not_a_number(call: str, said: str) -> None:
     require_refused(call, said)
 
 
@@ -86,7 +86,7 @@ def test_values_without_repr_are_named_by_their_type() -> None:
         to_fraction(Unprintable())
 
 
-def test_limits_can_be_moved_and_end_with_their_block() -> None:
+def test_limits_can_be_changed_within_a_block() -> None:
     with limits(max_digits=5000):
         assert to_fraction("1e4999") == to_fraction(Decimal("1e4999")) == 10**4999
         with limits(max_digits=2), pytest.raises(NumberError, match="more than 3 digits"):
@@ -97,7 +97,7 @@ def test_limits_can_be_moved_and_end_with_their_block() -> None:
         to_fraction("1e4999")
 
 
-def test_written_numbers_may_have_the_digits_of_answers() -> None:
+def test_numbers_in_full_may_have_as_many_digits_as_answers() -> None:
     """In a former version, loops of long numbers could be written but not read."""
     with limits(max_digits=2):
         assert get_limits().answer_digits == 71
@@ -129,14 +129,14 @@ def test_limits_are_kept_in_another_process() -> None:
     assert get_limits() == Limits(4300, 16)
 
 
-def test_limits_bound_texts_and_not_numbers() -> None:
+def test_limits_apply_to_strings_and_not_to_numbers() -> None:
     with limits(max_digits=2):
         assert to_fraction("0.12") == Fraction(3, 25)
         assert to_fraction(12345) == 12345
         assert to_fraction(Fraction(1, 10**5)) == Fraction(1, 10**5)
 
 
-def test_each_limit_is_moved_by_itself() -> None:
+def test_each_limit_can_be_changed_alone() -> None:
     with limits(max_mib=0.5), limits(max_digits=9):
         assert get_limits() == Limits(9, 0.5)
         assert get_limits().max_bytes == 2**19
@@ -147,7 +147,7 @@ def test_each_limit_is_moved_by_itself() -> None:
 
 
 @pytest.mark.parametrize("sign", ["", "-"])
-def test_the_limit_is_on_the_number_however_it_is_spelled(sign: str) -> None:
+def test_the_limit_applies_to_the_number_in_any_spelling(sign: str) -> None:
     """A former version read 1e4000, but not its 4,001 digits."""
     half = Fraction(1, 2**14_000)  # 14,000 digits as a decimal, 4,215 as a fraction
     tenth = Fraction(1, 10**4299)
@@ -166,7 +166,7 @@ def test_any_digit_count_is_written() -> None:
     assert format_fraction(Fraction(-(10**5000 - 1), 10**5000)) == f"-{NINES}/1{'0' * 5000}"
 
 
-def test_a_faulty_rational_is_refused() -> None:
+def test_broken_rational_types_are_rejected() -> None:
     class Broken(Fraction):
         @property
         def denominator(self) -> int:
@@ -176,7 +176,7 @@ def test_a_faulty_rational_is_refused() -> None:
         to_fraction(Broken(1, 2))
 
 
-def test_a_span_of_time_is_refused() -> None:
+def test_time_spans_are_rejected() -> None:
     with pytest.raises(NumberError, match=r"timedelta64\(3,'s'\) is not a rational number$"):
         to_fraction(np.timedelta64(3, "s"))
 
@@ -189,7 +189,7 @@ def test_quotes_have_one_line() -> None:
     assert quote(Foreign()) == "two\\nlines, \u00e9 and \\x07"
 
 
-def test_five_times_as_many_digits_are_read_as_may_be_left() -> None:
+def test_unreduced_numbers_may_have_five_times_as_many_digits() -> None:
     with limits(max_digits=1):
         assert get_limits().answer_digits == 39
         assert to_fraction(f"1.{'0' * 194}") == to_fraction(f"0.{'0' * 195}") + 1 == 1
@@ -207,7 +207,7 @@ def test_powers_of_ten_have_their_digits() -> None:
                 to_fraction(text)
 
 
-def test_numbers_of_the_greatest_shown_length_are_exact() -> None:
+def test_numbers_of_the_maximum_displayed_length_are_exact() -> None:
     assert quote("7" * 38) == f"'{'7' * 38}'"
     assert quote("7" * 39) == f"'{'7' * 36}..."
     assert abridge(Fraction(10**23)) == f"1{'0' * 23}"
@@ -218,7 +218,7 @@ def test_numbers_of_the_greatest_shown_length_are_exact() -> None:
 
 
 @given(st.fractions(), st.integers(0, 20), st.sampled_from("feg"))
-def test_a_format_of_floats_rounds_once(value: Fraction, places: int, kind: str) -> None:
+def test_float_formats_round_once(value: Fraction, places: int, kind: str) -> None:
     shown = Fraction(format_rounded(value, f".{places}{kind}"))
     if kind == "f":
         assert shown == round(value, places)

@@ -107,7 +107,7 @@ def test_figure_11_shows_exactly_the_calls_made() -> None:
 
 
 @each_figure
-def test_labels_are_readable_and_apart(name: str) -> None:
+def test_labels_are_readable_and_do_not_overlap(name: str) -> None:
     canvas = drawn(picture(name))
     texts = written(picture(name))
     assert all(float(text.get_fontsize()) >= 7 for text in texts)

@@ -210,7 +210,7 @@ def test_chains_at_a_wall_cross_once_without_meeting(name: str) -> None:
 
 
 @pytest.mark.parametrize(("x", "is_reported"), [(1, True), (0, True), (2, False)])
-def test_a_chain_that_stands_still_or_turns_back_is_reported(x: int, is_reported: bool) -> None:
+def test_a_chain_that_stops_or_reverses_is_reported(x: int, is_reported: bool) -> None:
     reported = [*is_monotone("T", [(0, 0), (1, 1), (x, 5), (3, 3)])]
     assert reported == ["T is not strictly X-monotone at x = 1"] * is_reported
 

@@ -8,7 +8,7 @@ from exactsweep.view.data import find_facing
 COMPASS = [(x, y) for x, y in product(range(-2, 3), repeat=2) if 2 in (abs(x), abs(y))]
 
 
-def test_an_edge_faces_the_corners_that_lie_to_its_right() -> None:
+def test_an_edge_can_touch_the_corners_to_its_right() -> None:
     """These corners are convex, with both edges to the right of the edge or along it."""
     # Edge 2 k leads to point k of the compass, and the next one back.
     rose = Outline([[(5, 5), (5 + x, 5 + y)] for x, y in COMPASS])
