@@ -95,7 +95,7 @@ def main(
             copy = shutil.copytree if (ROOT / part).is_dir() else shutil.copy
             copy(ROOT / part, folder / part)
         (folder / "setup.cfg").write_text(settings)
-        # Nothing has this name: mutants are made, and none is tried.
+        # No mutant has this name: mutants are created, but not tried.
         output = run_mutmut(folder, "run", "none")
         every = sorted(read_results(run_mutmut(folder, "results", "--all", "true")))
         if not every:

@@ -38,8 +38,8 @@ SABOTAGES = (wrong_answers, wrong_rarely, wrong_evidence, wrong_costs, wrong_sha
 def main(seed: int, only_timed: bool, only: str, named: bool) -> None:
     """Show the failing rows for each mutation; exit with 1 if an expected one passes.
 
-    The run tries a tenth of the pairs only. By default it leaves out faults that only cost time; on
-    request it tries these, with full runs of the rows that must notice them.
+    The run tries a tenth of the pairs only. By default it skips faults that only cost time; on
+    request it tries these, with full runs of the rows that must detect them.
     """
     table = Table("mutation", "red rows", "missed", show_lines=True)
     missed_any = False

@@ -43,7 +43,7 @@ _PIECES = {"still": "pieces proof.directrix", "moving": "pieces proof.generatrix
 _SUMS = {"sums": "sums proof.sums", "cut": "cut exterior holes"}
 
 # The name of each claim in Statements.v, the arguments of the statement, and the evidence, which is
-# not trusted. The checker is `accept_` with the kind of claim, its theorem ends with `_accepted`.
+# not trusted. The checker is `accept_KIND`, and its soundness theorem `KIND_accepted`.
 CLAIMS = {
     "no_fit": ("no_fit_polygon", _NO_FIT, {**_PIECES, **_SUMS}),
     "sweep": (

@@ -2,7 +2,7 @@
 
 A file has {"theme": NAME, "cases": [...]}, each case as the corpus writes it, without an answer.
 Answers are computed, and nothing is written unless the certificates of all new cases are proved.
-With --renew all answers, facts and titles are computed again; the inputs of a shipped id stay.
+With --renew, all answers, facts and titles are recomputed; the inputs of shipped ids stay the same.
 """
 
 import json
@@ -26,7 +26,7 @@ DIGESTS = Path(__file__).parent / "digests.json"
 @click.argument("new", nargs=-1, type=click.Path(exists=True, dir_okay=False, path_type=Path))
 @click.option("--renew", is_flag=True, help="Compute all answers, facts and titles again.")
 def main(new: tuple[Path, ...], renew: bool) -> None:
-    """Write the themes to the package, with the cases of NEW."""
+    """Write the themes to the package, including the cases in NEW."""
     added: dict[str, list[dict[str, Any]]] = {name: [] for name in themes()}
     for path in new:
         read = json.loads(path.read_text(encoding="utf-8"))
@@ -43,7 +43,7 @@ def main(new: tuple[Path, ...], renew: bool) -> None:
             raise click.ClickException(str(error)) from None
         text = written(name, cases)
         digests |= {case.id: digest(case) for case in cases}
-        # Compressed again, the same text may have other bytes.
+        # Recompressing the same text may change the bytes.
         if text != old:
             file, data = encoded(name, text)
             files[DATA / file] = data

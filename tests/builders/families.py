@@ -1,6 +1,6 @@
-"""Parametric families of the shipped corpus: pairs as large, or answers as long, as is asked for.
+"""Parametric families of the shipped corpus: pairs or answers of any requested size.
 
-`shipped` has those that lie in the corpus, with their ids.
+`shipped` lists the members in the corpus, with their ids.
 """
 
 from collections.abc import Iterable, Iterator, Sequence
@@ -24,18 +24,18 @@ def box(width: Any, height: Any, x: Any = 0, y: Any = 0) -> Ring:
 
 
 def turned(ring: Ring) -> Ring:
-    """Reflect in the origin."""
+    """Reflect a ring in the origin."""
     return [(-x, -y) for x, y in ring]
 
 
 def under(bottom: Iterable[tuple[Any, Any]], lid: Any) -> Ring:
-    """A block with this bottom chain, from left to right, and a flat top."""
+    """A block with a given bottom chain, from left to right, and a flat top."""
     chain = [*bottom]
     return [*chain, (chain[-1][0], lid), (chain[0][0], lid)]
 
 
 def columns(widths: Sequence[Any], heights: Sequence[Any]) -> list[tuple[Any, Any]]:
-    """A chain of horizontal and vertical edges, from x = 0 on."""
+    """A chain of horizontal and vertical edges, starting at x = 0."""
     chain: list[tuple[Any, Any]] = []
     x = 0
     for width, height in zip(widths, heights, strict=True):
@@ -50,7 +50,7 @@ def zigzag(size: int) -> Ring:
 
 
 def lying_comb(teeth: int) -> Ring:
-    """Teeth to the right, their tips and their roots each on one x."""
+    """Teeth that point right, with all tips at one x and all roots at another."""
     right = [
         (x, y)
         for k in range(teeth)
@@ -70,7 +70,7 @@ def stairs(steps: int) -> Ring:
 
 
 def star(size: int, reach: int) -> Ring:
-    """Spikes around the origin, in directions as different as can be."""
+    """Spikes around the origin, in evenly spread directions."""
     random = Random(f"star {size}")
     points: set[tuple[int, int]] = {(reach, -7), (-5, reach), (-reach, -reach)}
     while len(sort_by_angle(points)) < size:
@@ -111,13 +111,13 @@ def maze(cells: int) -> Region:
 
 
 def grating(across: int, up: int) -> Region:
-    """Unit holes, one apart."""
+    """Unit holes at distance 1."""
     holes = [box(1, 1, 2 * x + 1, 2 * y + 1) for x in range(across) for y in range(up)]
     return Region(box(2 * across + 1, 2 * up + 1), holes)
 
 
 def cave(unit: Any, entry: Any) -> Ring:
-    """A room three units wide and high, with a entry of this width in the middle of its floor."""
+    """A room of three by three units, with an entry of a given width in its floor."""
     left, right = 2 * unit, 2 * unit + entry
     inside = [(left, 0), (left, unit), (unit, unit), (unit, 4 * unit), (4 * unit, 4 * unit)]
     inside += [(4 * unit, unit), (right, unit), (right, 0)]
@@ -131,7 +131,7 @@ def wound(turns: int, gap: int) -> Region:
 
 
 def many_slopes(n: int) -> Ring:
-    """Convex, with 2 n edges of different slopes and their opposites."""
+    """A convex polygon with 2 n edges of different slopes and their opposites."""
     steps = [(n, k) for k in range(-n // 2, n - n // 2)]
     chain = [(0, 0)]
     for dx, dy in [*steps, *((-x, -y) for x, y in steps)]:
@@ -139,19 +139,19 @@ def many_slopes(n: int) -> Ring:
     return chain[:-1]
 
 
-# Distances without a pattern.
+# irregular distances
 PLACES = [0, 300, 691, 1013, 1502, 1844, 2365, 2700, 3131, 3651, 4000, 4507, 4900, 5403, 5801]
 PLACES += [6388, 6700]
 
 
 def mountains() -> Ring:
-    """Peaks and valleys at PLACES above, a point below."""
+    """A polygon with peaks and valleys at PLACES on top, and a single point at the bottom."""
     top = [(4 * x, 10_000 * (k % 2)) for k, x in enumerate(PLACES)]
     return [(0, 0), (2 * PLACES[-1], -10_000), *top[:0:-1]]
 
 
 def needles(count: int) -> Ring:
-    """Needles hanging from a high ceiling, nearly as far apart as the zigzag is wide."""
+    """Needles that hang from a high ceiling, at distances of nearly the width of the zigzag."""
     apart, ceiling = 4 * PLACES[-1] - 2 * PLACES[1], 80_000
     tips = [(k * apart + aside, y) for k in range(count) for aside, y in ((-1, 1), (0, 0), (1, 1))]
     bottom = [(x, ceiling * y) for x, y in tips]

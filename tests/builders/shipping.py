@@ -1,4 +1,4 @@
-"""The files of the shipped corpus: reading, extending, digests of inputs, writing."""
+"""Reading, extending and writing the files of the shipped corpus, and digests of inputs."""
 
 import json
 import lzma
@@ -12,7 +12,7 @@ from exactsweep.check import verify
 from exactsweep.corpus import Case, case_from_json, case_to_json, themes
 from exactsweep.corpus.publish import VERSION
 
-# Flags that cannot be seen from a pair.
+# Flags that cannot be computed from a pair.
 GIVEN = {
     "figure",
     "generated",
@@ -27,13 +27,13 @@ GIVEN = {
 
 
 class ShippingError(ValueError):
-    """A new case that contradicts what is shipped, or whose answer is not proved."""
+    """A new case that contradicts a shipped one, or whose answer is not proved."""
 
 
 def with_answers(
     theme: str, old: str, new: Iterable[dict[str, Any]], renew: bool = False
 ) -> list[Case]:
-    """Read the shipped cases of a theme, compute their answers again if asked, and add new ones."""
+    """Read the shipped cases of a theme, recompute their answers if requested, and add new ones."""
     cases = [case_from_json(data) for data in json.loads(old)["cases"]]
     shipped = {case.id for case in cases}
     if renew:
@@ -83,9 +83,9 @@ def again(case: Case) -> Case:
 
 
 def unproved(case: Case) -> Iterator[tuple[str, str]]:
-    """Yield what a case claims and its certificates do not prove, with the reason.
+    """Yield each claim of a case that its certificates do not prove, with the reason.
 
-    That of the sweep claims the no-fit polygon, too.
+    The certificate of a sweep also claims the no-fit polygon.
     """
     claims: dict[str, Callable[[], dict[str, Any]]] = {"sweep": case.sweep().certificate}
     if case.inner_regions is not None:
@@ -97,7 +97,7 @@ def unproved(case: Case) -> Iterator[tuple[str, str]]:
 
 
 def digest(case: Case) -> str:
-    """Return a short digest of what must never change under one id."""
+    """Return a short digest of the data that must never change for an id."""
     data = case_to_json(case)
     parts = "directrix", "generatrix", "reference", "directrix_holes", "generatrix_holes"
     text = json.dumps([data[part] for part in parts if part in data])
@@ -115,7 +115,7 @@ def encoded(theme: str, text: str) -> tuple[str, bytes]:
 
 
 def written(theme: str, cases: list[Case]) -> str:
-    """Write the file of a theme: a name a line, and long lists in one line each."""
+    """Write the file of a theme: one name per line, and each long list on one line."""
     head = f'{{\n "theme": {json.dumps(theme)},\n "title": {json.dumps(themes()[theme])},\n'
     texts = ",\n  ".join(_lines(case_to_json(case), "  ") for case in cases)
     return f'{head} "cases": [\n  {texts}\n ]\n}}\n'

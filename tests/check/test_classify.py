@@ -289,7 +289,7 @@ def test_witnesses_are_inside_both() -> None:
 
 @pytest.mark.parametrize("hole", [[(2, 2), (8, 8), (8, 2)], [(2, 2), (2, 8), (8, 8)]])
 def test_a_witness_is_not_on_an_edge_along_its_ray(hole: Any) -> None:
-    """From the corner of both squares along the diagonal: half-way to the hole is (1, 1)."""
+    """From the corner of both squares along the diagonal: halfway to the hole is (1, 1)."""
     square = [(0, 0), (10, 0), (10, 10), (0, 10)]
     answer = classify(Region(square, [hole]), square, (0, 0))
     assert answer == Classification("OVERLAP", Point(Fraction(1), Fraction(1)))

@@ -18,7 +18,7 @@ CONES = {
     Cone(COMPASS[i], COMPASS[(i + k) % SIZE]): {(i + n) % SIZE for n in range(k)}
     for i in range(SIZE)
     for k in range(1, SIZE)
-}  # with the numbers of the sectors that it fills, each beginning at a direction
+}  # with the numbers of the sectors that it fills, sector k starting at direction k
 
 
 def test_directions_are_sorted_counter_clockwise_from_the_x_axis() -> None:

@@ -24,7 +24,7 @@ pytestmark = needs_node
 
 
 def draw_loop(certificate: Certificate, names: tuple[str, ...], rng: Random) -> tuple[Any, Any]:
-    """Return the place of a ring below some keys, and a copy that begins anywhere."""
+    """Return the path to a random ring below some keys, and a copy with another first vertex."""
     places = [p for p in list_places(certificate) if p and p[0] in names]
     path = rng.choice([p for p in places if is_loop(get(certificate, p))])
     ring = get(certificate, path)
@@ -33,14 +33,14 @@ def draw_loop(certificate: Certificate, names: tuple[str, ...], rng: Random) -> 
 
 
 def shift(p: Any, q: Any, share: Fraction) -> list[str]:
-    """Return a point between two points."""
+    """Return a point between two others."""
     return [
         str(Fraction(a) + (Fraction(b) - Fraction(a)) * share) for a, b in zip(p, q, strict=True)
     ]
 
 
 def straighten(certificate: Certificate, rng: Random) -> Certificate:
-    """Add a vertex of a straight angle to a loop."""
+    """Add a vertex with a straight angle to a loop."""
     path, loop = draw_loop(certificate, LOOPS, rng)
     changed: Certificate = put(certificate, path, [*loop, shift(loop[-1], loop[0], Fraction(1, 3))])
     return changed
@@ -56,7 +56,7 @@ def degrade(certificate: Certificate, rng: Random) -> Certificate:
 
 
 def bend(certificate: Certificate, rng: Random) -> Certificate:
-    """Move the last vertex of a loop, or go through one twice."""
+    """Move the last vertex of a loop, or visit a vertex twice."""
     path, loop = draw_loop(certificate, LOOPS, rng)
     by = rng.choice([Fraction(1, 10**9), Fraction(1, 2), Fraction(-1, 10**9)])
     moved = [str(Fraction(n) + by) for n in loop[-1]]
@@ -70,7 +70,7 @@ def renew(claim: Certificate) -> Certificate:
     """Find a new proof, or keep the old one."""
     try:
         found: Certificate = json.loads(json.dumps(add_proof(claim)))
-    except (ArithmeticError, LookupError, ValueError):  # a finder of proofs may give up
+    except (ArithmeticError, LookupError, ValueError):  # the search for a proof may fail
         return claim
     return found
 

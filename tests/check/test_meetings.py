@@ -83,7 +83,7 @@ def _meet(shapes: tuple[LatticeShape, LatticeShape], scale: int) -> list[Any]:
 
 
 def _cross(a: Vertex, b: Vertex, c: Vertex, d: Vertex) -> bool:
-    """Decide whether two segments cross in a point inside both."""
+    """Decide whether two segments cross at an interior point of both."""
     sides = [
         cross(subtract(q, p), subtract(r, p))
         for p, q, r in ((a, b, c), (a, b, d), (c, d, a), (c, d, b))

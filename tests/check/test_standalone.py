@@ -246,7 +246,7 @@ def star() -> tuple[list[Any], list[Any], list[Any]]:
 
 
 def meet(a: Any, b: Any, c: Any, d: Any) -> Any:
-    """The point in which two lines meet."""
+    """The intersection of two lines."""
     u, v = (b[0] - a[0], b[1] - a[1]), (d[0] - c[0], d[1] - c[1])
     share = ((c[0] - a[0]) * v[1] - (c[1] - a[1]) * v[0]) / (u[0] * v[1] - u[1] * v[0])
     return a[0] + share * u[0], a[1] + share * u[1]

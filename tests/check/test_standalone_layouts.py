@@ -303,7 +303,7 @@ def test_normals_point_from_one_body_to_the_other() -> None:
         reason = refusal(put(found, ("proof", "apart"), [[0, 0, 1, 0, *normal]]))
         assert "placements[0] of 'a', piece 0: not apart from layout.placements[1]" in reason
     assert "not apart" in refusal(found)
-    # One for these pieces counts before one for all.
+    # A normal for these pieces has priority over one for all.
     both = [[0, 0, 1, 0, "3", "4"], [0, -1, 1, -1, "0", "1"]]
     assert prove(put(found, ("proof", "apart"), both))
 

@@ -58,13 +58,13 @@ def test_false_sums_are_rejected(name: str, claim: Certificate) -> None:
     assert not verify(claim).proved, name
     try:
         renewed = plain(add_proof(claim))
-    except (ArithmeticError, LookupError, ValueError):  # a finder of proofs may give up
+    except (ArithmeticError, LookupError, ValueError):  # the search for a proof may fail
         return
     assert not verify(renewed).proved, name
 
 
 def test_slits_are_proved() -> None:
-    """The prongs of the slot close its gap: what remains between them is a segment."""
+    """The prongs of the slot close its gap except for a segment between them."""
     filled = certificates()["slit"]
     count = len(filled["exterior"])
     sums = [

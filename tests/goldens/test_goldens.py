@@ -1,4 +1,4 @@
-"""Pictures, figures and exports are what the golden files say; goldens/__main__.py writes these."""
+"""Pictures, figures and exports match the golden files, which goldens/__main__.py writes."""
 
 from pathlib import Path
 

@@ -1,6 +1,6 @@
 """The contents of the golden files: pictures, figures and exports as text, by name.
 
-No text depends on fonts, on a layout that matplotlib computes, or on the way a float is written.
+No text depends on fonts, on layouts computed by matplotlib, or on the formatting of floats.
 """
 
 import json
@@ -116,7 +116,7 @@ FIGURES = ("minkowski", "lower_bound", "local_width", "chains", "contact_motion"
 
 
 def write_number(value: float) -> str:
-    """A number of a picture in nine digits, without the sign of zero."""
+    """A number in a picture with nine digits, without a negative zero."""
     return f"{value + 0.0:.9g}"
 
 
@@ -151,7 +151,7 @@ def list_artists(axes: Axes) -> Iterator[str]:
 
 
 def write_places(s: Sweep, columns: int) -> str:
-    """The places of a picture, alone or not, and of its legend."""
+    """The positions of a picture, alone or among others, and of its legend."""
     axes = plot_sweep(s, make_figure(columns=columns).axes[0])
     legend: Any = axes.get_legend()
     corner = legend.get_bbox_to_anchor().transformed(axes.transAxes.inverted()).p0
@@ -159,7 +159,7 @@ def write_places(s: Sweep, columns: int) -> str:
 
 
 def list_looks() -> Iterator[str]:
-    """All looks and colours of the style."""
+    """All looks and colors of the style."""
     for name, value in vars(style).items():
         looks = value if isinstance(value, dict) else {"": value}
         if name.isupper() and not name.startswith("_"):
@@ -244,7 +244,7 @@ def list_figures() -> Iterator[str]:
 
 
 def _write(value: Any) -> str:
-    """Nested points in one line; sets in order; a bound by its value."""
+    """Write nested points on one line, sets in order, and a bound as its value."""
     if callable(value):
         return f"{value(24, 40):.6g}"
     if isinstance(value, set | frozenset):
@@ -285,8 +285,8 @@ def list_growing() -> Iterator[str]:
 def list_generated() -> Iterator[str]:
     """The digests and flags of generated cases, family by family, and three of them in full.
 
-    Cases must never change, because ids keep their meaning. The flags show whether a family has the
-    properties that it is meant to have.
+    Cases must never change, because ids keep their meaning. The flags show whether a family has its
+    intended properties.
     """
     parts = "id", "directrix", "generatrix", "reference", "directrix_holes", "generatrix_holes"
     for family in FAMILIES:
@@ -304,7 +304,7 @@ def list_generated() -> Iterator[str]:
 
 
 def list_scales() -> Iterator[str]:
-    """Scales and windows of boxes small, large, far off, flat and high."""
+    """Scales and windows of small, large, distant, flat and tall boxes."""
     for low, high in BOXES:
         scale, window = Scale.of([low, high]), Window.around([low, high], 130, 90, 7)
         labels = scale.x.label("x"), scale.y.label("y")
@@ -313,7 +313,7 @@ def list_scales() -> Iterator[str]:
 
 
 def list_report() -> Iterator[str]:
-    """A report of some rows without time and machine; the costs; a drawn counterexample."""
+    """A report of some rows without times and machine; the costs; a drawn counterexample."""
     names = ("Definition 1.1", "Lemma 5.3", "Trajectory_CC", "Slope")
     rows = [row._replace(seconds=1.25) for row in reproduce(map(find, names), Effort(quick=True))]
     points = tuple(Size(8 << k, 16, 100 << 2 * k, 8 << k) for k in range(3))
@@ -335,7 +335,7 @@ def list_report() -> Iterator[str]:
 
 
 def list_examples() -> Iterator[str]:
-    """The bounds and examples of the ledger, and the choices of the generator, each once."""
+    """The bounds and examples of the ledger, and the options of the generator, each once."""
     yield from (f"bound {name} {bound(24, 40):.6g}" for name, bound in BOUNDS.values())
     seen = set()
     for room in (generator, checks, figures):

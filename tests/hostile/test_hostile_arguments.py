@@ -1,4 +1,4 @@
-"""Arguments of the wrong type are named; errors of the program keep their own words."""
+"""Arguments of the wrong type are named; internal errors keep their message."""
 
 from fractions import Fraction
 from pathlib import Path
@@ -37,7 +37,7 @@ def test_the_caller_is_not_blamed_for_internal_errors() -> None:
 
 
 def test_a_path_may_be_an_object(tmp_path: Path) -> None:
-    """Once one that could not be read ended in Python's own words."""
+    """Formerly, an unreadable one caused an internal Python error."""
     path = tmp_path / "unit.json"
     with pytest.raises(ExactSweepError, match=r"unit\.json: No such file"):
         read_polygon(path)
@@ -46,7 +46,7 @@ def test_a_path_may_be_an_object(tmp_path: Path) -> None:
 
 
 def test_integers_are_not_file_descriptors() -> None:
-    """Once True was read as standard output, and closed it."""
+    """Formerly, True was read as standard output, and closed it."""
     for number in (0, 1, True):
         with pytest.raises(ExactSweepError, match="is not a path"):
             read_text(number)  # type: ignore[arg-type]

@@ -1,6 +1,6 @@
-"""Certificates that are false, of all kinds: none is proved.
+"""False certificates of all kinds are not proved.
 
-`python -m tests.falsify` tries as many as one likes.
+`python -m tests.falsify` tries any number of them.
 """
 
 import copy
@@ -83,7 +83,7 @@ def list_paths(item: Any, path: tuple[Any, ...] = ()) -> Iterator[tuple[Any, ...
 
 
 def change(certificate: Certificate, path: tuple[Any, ...], kind: str) -> Certificate | None:
-    """Change what is at a path: move a number, drop or repeat an entry of a list."""
+    """Change the value at a path: change a number, drop or repeat an entry of a list."""
     false: Certificate = copy.deepcopy(certificate)
     *way, last = path
     item: Any = reduce(lambda found, key: found[key], way, false)
@@ -98,7 +98,7 @@ def change(certificate: Certificate, path: tuple[Any, ...], kind: str) -> Certif
 
 
 def changed(certificate: Certificate, rng: Random) -> Iterator[tuple[object, Certificate]]:
-    """Change the answer at some places, with the old proof and with a new one."""
+    """Change the answer at some paths, with the old proof and with a new one."""
     answer = certificate.keys() - INPUT - {"format", "version", "claim", "proof"}
     paths = [(key, *path) for key in sorted(answer) for path in list_paths(certificate[key])]
     paths += [("area",)] * ("area" in answer)
@@ -124,13 +124,13 @@ def test_changed_certificates_are_not_proved(kind: str) -> None:
 
 
 def is_repeated(name: Any) -> bool:
-    """Return whether a point of a list is there twice in a row, which changes no ring."""
+    """Return whether a list repeats a point consecutively, which changes no ring."""
     return name[1] == "repeat" and name[0][0] == "regions" and len(name[0]) > 3
 
 
 @pytest.mark.parametrize("kind", mostly_long(KINDS, ["no_fit"]))
 def test_answers_to_other_questions_are_not_proved(kind: str) -> None:
-    """Pairs that differ in one vertex or two, and the answer of the one for the other."""
+    """Pairs that differ in one or two vertices, each with the answer for the other."""
     rng = Random(11)
     tried = 0
     for pair, certificate in certificates(kind, 10):
@@ -161,7 +161,7 @@ def test_translated_and_scaled_answers_are_not_proved(kind: str) -> None:
 
 
 def moved(item: Any, by: str, factor: str, is_area: bool) -> Any:
-    """All numbers of an answer, which are the strings in it, times a factor and moved."""
+    """Scale and translate all numbers of an answer, which are its strings."""
     if isinstance(item, list):
         return [moved(entry, by, factor, is_area) for entry in item]
     if isinstance(item, dict):

@@ -1,6 +1,6 @@
-"""Every public function, each of its arguments made what it is not: refused in a sentence.
+"""Every public function rejects a wrong value of each argument in one sentence.
 
-Functions and arguments are read from signatures; VALID has values where there is no default.
+Functions and arguments are read from signatures; VALID has values for arguments without a default.
 """
 
 import importlib
@@ -49,12 +49,12 @@ PART = NamedRegion(Region(GENERATRIX), "a")
 PARTS = [NamedPolygon(GENERATRIX)]
 CASE = find_case("directions-y")
 ORIGIN = Point(Fraction(0), Fraction(0))
-# Files are there before a function is called.
+# Files exist before a function is called.
 FILES = {"p.json": TEXT, "pairs.jsonl": f'{{"generatrix": {TEXT}, "directrix": {TEXT}}}\n'}
 
 
 class Hostile:
-    """Says of itself what is not so, at length, and in control characters."""
+    """An object with a false, long repr that contains control characters."""
 
     def __repr__(self) -> str:
         return "\n\x1b[2J" * 10**4
@@ -73,7 +73,7 @@ class Unspeakable:
 
 
 class Lying:
-    """Claim a length of 10**9, and hold nothing."""
+    """Claim a length of 10**9, and contain nothing."""
 
     def __len__(self) -> int:
         return 10**9
@@ -94,7 +94,7 @@ for _ in range(10**4):
 CYCLE: list[Any] = []
 CYCLE += [CYCLE, CYCLE, CYCLE]
 
-# Of shapes, which every function that takes one reads alike.
+# shapes, which all functions read in the same way
 NO_SHAPES: list[Any] = [
     *(NESTED, CYCLE, Lying(), Telling(), b"ab", (1, 2, 3), int, [UNIT, UNIT], {(0, 0): 1}),
     *([(0, 0), (1, 1), (2, 2)], [(0, 0), (2, 2), (2, 0), (0, 2)], [(0, 0), (1, 0), (0, "1/0")]),
@@ -106,7 +106,7 @@ HOSTILE: list[Any] = [
 
 FIGURE = make_figure()
 PICTURE = Picture(FIGURE.axes[0], Scale.of(EXAMPLE.outer.vertices))
-# Good values of parameters without a default, by their names.
+# Valid values of parameters without a default, by their names.
 BY_NAME: dict[str, Any] = {
     **dict.fromkeys(("generatrix", "directrix", "stationary", "orbiting"), UNIT),
     **dict.fromkeys(("container", "part", "a", "b"), UNIT),
@@ -149,7 +149,7 @@ BY_NAME: dict[str, Any] = {
     "geometries": [shapely.box(0, 0, 1, 1)],
     "data": case_to_json(CASE),
 }
-# Where the name is not enough, or a default would take long or say little.
+# Where the name is ambiguous, or a default would be slow or trivial.
 VALID: dict[str, dict[str, Any]] = {
     "batch.run": {"workers": 1},
     "batch.take_listed_pairs": {"path": "pairs.jsonl"},
@@ -170,9 +170,9 @@ VALID: dict[str, dict[str, Any]] = {
     "no_fit_union": {"stationary": [UNIT], "orbiting": [UNIT]},
     "view.make_page": {"names": ("a", "b"), "tell": str},
 }
-# An address is waited for; progress and restarts are not checked.
+# Connecting to an address takes long; progress and restarts are not checked.
 UNTRIED = {"scheduler", "progress", "restart"}
-# Slow functions, whatever the argument is; only some of them.
+# Functions that are slow for any argument; only some arguments are tried.
 LONG = {
     "batch.run": ("job", "output", "workers"),
     "view.make_page": ("s", "names"),
@@ -283,7 +283,7 @@ def test_wrong_arguments_of_functions_are_rejected(
                 refused += said is not None
                 assert said is None or said.isprintable(), (name, argument)
                 assert said is None or 0 < len(said) < 300, (name, argument)
-    # Where they are no polygons, numbers and options they are names and flags.
+    # Many arguments are names and flags, not polygons, numbers or options.
     assert refused > tried / 3
 
 
@@ -300,7 +300,7 @@ def test_every_public_method_is_tried() -> None:
             if inspect.isfunction(of := getattr(kind, name)) or inspect.ismethod(of)
             if inspect.signature(getattr(kind, name)).parameters.keys() - {"self"}
         }
-        # Those of a Sequence answer as a tuple does.
+        # Methods of a Sequence behave like those of a tuple.
         assert with_arguments - {"index", "count"} == methods.keys(), kind
 
 
@@ -353,7 +353,7 @@ def test_missing_vertices_and_edges_are_rejected() -> None:
         HOLED.edge_index(-8)
     with pytest.raises(PolygonError, match=r"^there is no edge 'a': they are numbered 0 to 3$"):
         Polygon(UNIT).edge_index("a")  # type: ignore[arg-type]
-    # As in a list: the last is one of the hole.
+    # As in a list, -1 is the last one, a vertex of the hole.
     assert HOLED.vertex_index(-1) == HOLED.vertex_index(6)
     assert HOLED.edge_index(-7) == HOLED.edge_index(0)
 

@@ -1,6 +1,6 @@
-"""Good files with something wrong in them, and options with values that are none.
+"""Damaged files and invalid option values.
 
-Spoiled input: readable parts survive a round trip, all else is refused in a sentence.
+Readable parts survive a round trip; everything else is rejected in one sentence.
 """
 
 import json
@@ -106,7 +106,7 @@ def test_wrong_option_values_give_one_line_of_error(
 
 @pytest.mark.parametrize("title", ["a\x00$", "\udcff"])
 def test_a_title_may_be_anything(title: str, tmp_path: Path) -> None:
-    """Once bytes that are no text ended in the words of matplotlib."""
+    """Formerly, invalid text caused an error of matplotlib."""
     path = tmp_path / "o.svg"
     result = run("draw", HOUSE, NOTCH, "--title", title, "-o", str(path))
     assert (result.exit_code, result.stderr) == (0, "")
@@ -128,11 +128,11 @@ WORK = Work("loops", (), ())
 
 
 def prove(text: str) -> None:
-    """Have a certificate checked, which is proved only if its claim is the true one."""
+    """Check a certificate, which must be proved only if its claim is true."""
     found: Any = parse_certificate(text)
     verdict = verify(found)
     assert verdict.proved or found != CERTIFICATE
-    # There may be more than one proof.
+    # Several proofs may exist.
     assert not verdict.proved or {**found, "proof": None} == {**CERTIFICATE, "proof": None}, text
     if not verdict.proved:
         raise ExactSweepError(verdict.reason)

@@ -1,4 +1,4 @@
-"""Paths and names that no program should be given: one line of an error from every command."""
+"""Hostile paths and names: every command reports an error in one line."""
 
 import re
 import resource
@@ -12,7 +12,7 @@ from command import HOUSE, NOTCH, run
 PATHS = ["", "x" * 300, "x/" * 3000, "no such file", "a\nb", "a\nb/c", "\x1b[2J", "\x1b[2J/c"]
 PATHS += ["\udcff/c", "/dev/null/x", "\u202e/txt", "a\rb/c", "http://localhost/", "\x00"]
 PATHS += ["~/no such folder/x"]
-# {} is the path. Of what is written, the path comes last.
+# {} is the path. Output paths come last.
 READING = """sweep {} NOTCH | nfp HOUSE {} | ifp {} HOUSE | explain {} NOTCH
 | draw {} NOTCH -o out.svg | view {} NOTCH -o out.html | verify {}
 | convert {} --to json | compare {} {} | corpus show {} | batch {} -o out.jsonl
@@ -44,13 +44,13 @@ def test_unusable_paths_are_rejected(
         assert last.startswith("Error: "), (path, result.stderr)
         assert last.isprintable(), last
         assert len(last) < len(path) + 700
-        # Only how a command is used comes before it.
+        # Only the usage line precedes it.
         assert not usage or usage[0].startswith("Usage: "), result.stderr
 
 
 @pytest.mark.long
 def test_too_little_memory_is_one_line(tmp_path: Path) -> None:
-    """A polygon of which every coordinate has 4,300 digits, in less memory than it takes."""
+    """A polygon whose coordinates have 4,300 digits each needs more memory than is available."""
     path = tmp_path / "long.json"
     path.write_text(f"[{','.join(f'[{k},{k * k}e4000]' for k in range(40_000))}]")
 
@@ -76,7 +76,7 @@ FULL = [
 
 @pytest.mark.long
 def test_a_full_disk_is_one_line(tmp_path: Path) -> None:
-    """Once help and version ended in Python's own words."""
+    """Formerly, help and version ended with an internal Python error."""
     for arguments in FULL:
         with Path("/dev/full").open("w") as full:
             result = subprocess.run(
@@ -84,7 +84,7 @@ def test_a_full_disk_is_one_line(tmp_path: Path) -> None:
                 stdout=full,
                 stderr=subprocess.PIPE,
                 text=True,
-                cwd=tmp_path,  # where it writes files, too
+                cwd=tmp_path,  # if it writes files, too
                 check=False,
             )
         assert result.returncode == 1, arguments

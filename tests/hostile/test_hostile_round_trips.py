@@ -1,7 +1,7 @@
-"""Round trips: every reader reads the output for accepted input, within one limit.
+"""Round trips: under one limit, every reader reads the output for accepted input.
 
-The limit is low here, and the pairs are of numbers at it, so that answers are far beyond: sums of
-three numbers, crossings of lines through twelve, and crossings of lines through those.
+The limit is low, and the input reaches it, so that answers exceed it by far: sums of three numbers,
+intersections of lines through twelve, and of lines through those.
 """
 
 import json
@@ -36,20 +36,20 @@ def between(rng: Random) -> Fraction:
 
 
 def zigzag(rng: Random, teeth: int) -> Points:
-    """Monotone; no two of its numbers have anything to do with each other."""
+    """A monotone polygon whose numbers share no factors."""
     columns = range(2 * teeth + 1)
     bottom = [(k + between(rng), 3 * (k % 2) + between(rng)) for k in columns]
     return bottom + [(k + between(rng), 9 + between(rng)) for k in reversed(columns)]
 
 
 def diamond(rng: Random) -> Points:
-    """With edges of slopes 1 and -1, so that all loops are of decimals."""
+    """A polygon with edges of slopes 1 and -1, so that all loops have finite decimals."""
     x, y, a, b = (Fraction(rng.randrange(BELOW) + 1, BELOW) for _ in "xyab")
     return [(x, y), (x + a, y - a), (x + a + b, y - a + b), (x + b, y + b)]
 
 
 def cave(rng: Random) -> Points:
-    """Not monotone."""
+    """A polygon that is not monotone."""
     a, b = between(rng), between(rng)
     xs: list[int | Fraction] = [0, 4, 4, 2 + a, 2, 3, 3, 1 + b, 1, 0]
     ys: list[int | Fraction] = [0, a, 4, 4, 3, 3 - b, 1, 1, 4, 4]
@@ -81,7 +81,7 @@ def is_decimal(polygons: list[Polygon]) -> bool:
 
 
 def test_the_pairs_are_beyond_the_limit() -> None:
-    """Without the second rule hardly any of their answers could be read."""
+    """Without rule (2), hardly any of their answers could be read."""
     lengths = [longest(sweep(*parameter.values)) for parameter in PAIRS]  # type: ignore[arg-type]
     with limits(max_digits=DIGITS):
         assert DIGITS < max(lengths) <= get_limits().answer_digits
@@ -139,7 +139,7 @@ def test_answers_are_read_by_all_commands(
         for arguments in judged:
             result = run(*arguments, stdin=answers)
             assert not result.stderr, (arguments, result.stderr[-300:])
-            # The program takes monotone polygons only.
+            # The program accepts only monotone polygons.
             is_asked = s.kind != "SS" or "no case was judged" not in result.output
             assert (result.exit_code == 0) == is_asked, (arguments, result.output[-300:])
         assert case_from_json(json.loads(json.dumps(case_to_json(case)))) == case
@@ -160,5 +160,5 @@ def test_loops_are_read_from_every_format_that_can_represent_them(
         for loop in loops:
             (part,) = parse_regions(format_polygons([loop], form))
             assert part.region == Region(loop)
-            # And as a value of Python.
+            # and as a Python value
             assert Polygon([map(format_fraction, vertex) for vertex in loop]) == loop

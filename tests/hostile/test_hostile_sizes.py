@@ -81,7 +81,7 @@ def test_outputs_beyond_the_limit_name_a_sufficient_one(name: str) -> None:
         rf"{re.escape(name)}: large file; reading it requires --max-mib (\d+)\n", written.stderr
     )
     assert bool(said) == (size > MOST)
-    # The result of an inner fit has more than its regions, so that it is large in any case.
+    # The result of an inner fit includes more than its regions, so it is always large.
     assert said
     for reader in readers(name):
         refused = run(*reader)

@@ -40,7 +40,7 @@ def test_rings_of_fractions_are_judged_as_those_of_ints(points: list[tuple[int, 
 def test_equal_first_digits_need_exact_computation(
     points: list[tuple[int, int]], seed: int
 ) -> None:
-    """Each vertex moved by less than its interval, as a lattice of their own shows exactly."""
+    """Move each vertex by less than its interval; a separate lattice shows this exactly."""
     rng = Random(seed)
     moves = [(rng.randrange(-1, 2), rng.randrange(-1, 2)) for _ in points]
     moved = [(x + i * MINUTE, y + j * MINUTE) for (x, y), (i, j) in zip(points, moves, strict=True)]
@@ -93,8 +93,7 @@ def test_sums_in_pairs_are_sums(terms: list[Fraction]) -> None:
 
 
 def divisor_work(monkeypatch: pytest.MonkeyPatch, action: Callable[[], Fraction]) -> float:
-    """Products of the lengths of all numbers whose common divisor is looked for, over the square
-    of the length of the result."""
+    """The work of all gcd calls, relative to the squared length of the result."""
     work = 0
     gcd = math.gcd
 
@@ -110,14 +109,14 @@ def divisor_work(monkeypatch: pytest.MonkeyPatch, action: Callable[[], Fraction]
 
 
 def test_an_area_costs_as_much_as_its_reduction(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Formerly, 400 vertices with denominators of 500 digits took eight seconds for an area, and
-    200 and 200 of them 67 for that of a swept area."""
+    """Formerly, an area took 8 s for 400 vertices with denominators of 500 digits, and a swept
+    area 67 s for two polygons of 200 vertices."""
     points = long_star(40, 400)
     polygon = Polygon(points)
     expected = find_doubled_area(polygon.vertices) / 2
     assert polygon.area == expected > 0
     assert divisor_work(monkeypatch, lambda: polygon.area) < 2
-    # As it was: all over one denominator, reduced at the end.
+    # The former version: everything over one denominator, reduced at the end.
     terms = [x * v - u * y for (x, y), (u, v) in zip(points, points[1:] + points[:1], strict=True)]
     over = math.prod(term.denominator for term in terms)
     total = sum(term.numerator * (over // term.denominator) for term in terms)
@@ -142,7 +141,7 @@ def test_areas_of_answers_add_up_in_time(monkeypatch: pytest.MonkeyPatch) -> Non
 
 
 def test_holes_with_unrelated_denominators_share_no_lattice() -> None:
-    """Each of 60 has one of 2000 bits; a former version multiplied all of them."""
+    """A former version multiplied all 60 denominators of 2000 bits each."""
     rng = Random(5)
     units = [Fraction(1, rng.getrandbits(2000) | 1) for _ in range(60)]
     holes = [[(3 * k, 1), (3 * k + 1 + e, 1), (3 * k, 2 - e)] for k, e in enumerate(units)]

@@ -55,7 +55,7 @@ STAIR = [(0, 0), (4, 0), (4, 1), (2, 1), (2, 3), (0, 3)]
         pytest.param(
             UNIT,
             VALLEY,
-            # The square rests on two corners, half-way between the walls.
+            # The square rests on two corners, halfway between the walls.
             [(-1, -1), (4, -1), (4, 3), (3, 3), (3 * half, 3 * half), (0, 3), (-1, 3)],
             [(0, 0), (4, 0), (4, 3), (5 * half, 3 * half), (3 * half, 3 * half), (0, 3)],
             # Its top follows the higher corner: a valley of one point, one unit up.
@@ -281,7 +281,7 @@ def test_inner_loop_bounds_uncovered_points(pair: Pair, data: st.DataObject) -> 
     loops = reference_loops(g, d)
     low, high = Polygon(loops.outer).bounding_box
     steps = st.integers(1, 96).map(lambda k: Fraction(k, 97))
-    # An abscissa without a vertex, so that it does not meet a dropped whisker of a loop.
+    # An abscissa that avoids all vertices and so any dropped whisker of a loop.
     p = low.x + data.draw(steps) * (high.x - low.x), low.y + data.draw(steps) * (high.y - low.y)
     on_edge = data.draw(st.sampled_from(list(zip(loops.inner, loops.inner[1:], strict=False))))
     a, b = on_edge
@@ -295,8 +295,8 @@ def test_inner_loop_bounds_uncovered_points(pair: Pair, data: st.DataObject) -> 
 def covered(trajectory: tuple[Point, ...], g: Polygon, p: tuple[Fraction, Fraction]) -> bool:
     """Decide whether G's interior reaches p from a free position: -G + p overlaps P's outside.
 
-    The outside, as far as it matters, in two polygons: below and above P, parted left and right
-    of it by the lines through its extreme vertices.
+    Two polygons represent the relevant part of the outside, below and above P; horizontal lines
+    from its leftmost and rightmost vertices separate them.
     """
     v = trajectory
     right = max(range(len(v)), key=lambda k: v[k])

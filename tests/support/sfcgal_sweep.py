@@ -68,7 +68,7 @@ def differs(case: Case) -> list[str]:
 def _inside(ring: Ring, moving: Ring) -> list[Ring]:
     """The points p with p - MOVING inside a ring: the holes of the sum of a frame and MOVING.
 
-    Where p - MOVING is all inside the frame, the program takes p for a point of a hole, too.
+    If p - MOVING is entirely inside the frame, SFCGAL also treats p as a point of a hole.
     """
     reach = 9 * max(abs(c) for points in (ring, moving) for point in points for c in point)
     box = [(-reach, -reach), (reach, -reach), (reach, reach), (-reach, reach)]

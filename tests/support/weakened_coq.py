@@ -202,7 +202,7 @@ def list_falsified() -> Iterator[dict[str, Any]]:
     moved = other if one["holes"] else one
     kept = one if one["holes"] else other
     yield add_proof({**made, "regions": [{**kept, "holes": []}, {**moved, "holes": holes}]})
-    # A container with a hole, parts that leave the frame, pieces of a half of a part
+    # A container with a hole, parts that leave the frame, pieces that fill half of a part
     unit, box = {"id": "a", "exterior": square(0, 0)}, {"exterior": square(0, 0, 3)}
     place = {"part": "a", "move": ["1", "1"]}
     layout = {"parts": [unit], "placements": [place], "container": box}

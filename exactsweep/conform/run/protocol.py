@@ -49,7 +49,7 @@ class Hello:
     name: str  # with its version, for the report
     loops: tuple[str, ...] = ("trajectory",)  # of a sweep; () without sweeps
     numbers: Numbers = "rational"  # that it reads
-    reference: Reference = "given"  # its reference point of G
+    reference: Reference = "given"  # the point of G that it uses as reference point
     questions: tuple[Question, ...] = ("sweep",)
     shapes: Shapes = "monotone"  # the pairs that it accepts
 
