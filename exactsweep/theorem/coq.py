@@ -36,8 +36,8 @@ Print Assumptions proved.
 def write_theorem(certificate: Any, name: str = "certificate") -> str:
     """Write a certificate of version 3 as the theorem of a Coq file, given without its suffix.
 
-    Coq accepts the file if and only if the checker in Coq accepts the certificate, which must
-    conform to the schema. Raises TheoremError for other versions and claims that are not covered.
+    Coq accepts the file if and only if the checker in Coq accepts the certificate. Raises
+    TheoremError for other versions and unknown claims, and Refused if the form is wrong.
     """
     kind, *parts = to_claim(certificate)
     statement, evidence = (
