@@ -74,7 +74,7 @@ def tile(number: int, vertices: int, *, gap: bool, seed: int = 1) -> Layout:
 
 
 def draw_border(random: Random, inner: int) -> Offsets:
-    """Draw the inner points of a border, as pairs of a position along it and an offset."""
+    """Draw the interior points of a border, as pairs of a position along it and an offset."""
     found = []
     for k in range(1, inner + 1):
         along = CELL * k // (inner + 1)

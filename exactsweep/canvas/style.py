@@ -12,7 +12,7 @@ from importlib.resources import files
 from typing import Any
 
 BLACK = "#000000"
-GREY = "#5f5f5f"
+GRAY = "#5f5f5f"
 ORANGE = "#e69f00"
 SKY = "#56b4e9"
 GREEN = "#009e73"
@@ -127,7 +127,7 @@ CONTACTS = {
     "VV": _look("VV", 0, dash="none", marker="D", order=8, size=5.5, halo=True),
 }
 SEVERAL_EVENTS = _look("path", 1.8, dash="-.", order=5)
-SUB_TRAJECTORY = Look(GREY, 0.9, dash=(0, (4, 2)), order=3)
+SUB_TRAJECTORY = Look(GRAY, 0.9, dash=(0, (4, 2)), order=3)
 ENVELOPE = Look(BLACK, 2.2, order=4)
 
 

@@ -91,7 +91,7 @@ def batch_command(
 ) -> None:
     """Sweep many pairs in parallel.
 
-    PAIRS has one JSON line per pair, {"generatrix": ..., "directrix": ...}, optionally with
+    PAIRS contains one JSON line per pair, {"generatrix": ..., "directrix": ...}, optionally with
     "id", "direction" and "reference". A polygon is any JSON that 'exactsweep sweep' reads, or the
     name of a polygon in --parts. With --all, each polygon of GENERATRICES is swept around each of
     DIRECTRICES. A folder stands for all files in it. Polygons are named by file, layer and id.

@@ -66,9 +66,9 @@ def read_pairs(path: str, tolerance: object = None, **options: Unpack[Options]) 
 def read_case(name: str) -> Case:
     """Read a case from a file, from standard input ("-"), or by its id, shipped or generated.
 
-    A file has a case as for `case_from_json`, the --json output of `sweep`, `nfp`, `ifp` or `sum`,
-    or an object with "directrix", "generatrix" and optional members of a case, polygons as for
-    `parse_region`. The default id is the name of the file.
+    A file contains a case as for `case_from_json`, the --json output of `sweep`, `nfp`, `ifp` or
+    `sum`, or an object with "directrix", "generatrix" and optional members of a case, polygons as
+    for `parse_region`. The default id is the name of the file.
     """
     if name != "-" and not Path(name).exists():
         return find_case(name)

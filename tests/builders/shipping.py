@@ -108,7 +108,7 @@ COMPRESSED = ("large",)
 
 
 def encoded(theme: str, text: str) -> tuple[str, bytes]:
-    """Return the name and the bytes of the file of a theme."""
+    """Return the name and the content of the file of a theme."""
     if theme in COMPRESSED:
         return f"{theme}.json.xz", lzma.compress(text.encode(), preset=9)
     return f"{theme}.json", text.encode()

@@ -103,15 +103,15 @@ def test_python_keeps_coordinates(ells: dict[str, str]) -> None:
 @pytest.mark.parametrize("form", ["svg", "dxf"])
 def test_units_survive_writing_and_reading(unit: str, form: str, ells: dict[str, str]) -> None:
     done = run("convert", ells["svg"], "--unit", "mm", "--to", form)
-    (millimetres,) = parse_regions(done.stdout, unit="mm")
-    assert millimetres.region.area == Region(ELL).area
+    (millimeters,) = parse_regions(done.stdout, unit="mm")
+    assert millimeters.region.area == Region(ELL).area
     (part,) = parse_regions(done.stdout, unit=unit)
     text = format_polygons(
         [part._replace(region=part.region.scaled(381))],
         form,
         coordinates=parse_regions(done.stdout, unit=unit).coordinates,
     )
-    assert parse_regions(text, unit="mm")[0].region == millimetres.region.scaled(381)
+    assert parse_regions(text, unit="mm")[0].region == millimeters.region.scaled(381)
 
 
 def test_svg_has_the_size_of_its_outlines_and_a_margin(ells: dict[str, str]) -> None:

@@ -29,12 +29,12 @@ _NAMED = re.compile(
     """,
     re.VERBOSE,
 )
-# A line without information below the error.
+# Lines below the error that carry no information.
 _TRAILER = re.compile(
     r"^(?:Node\.js v\d|note: run with `RUST_BACKTRACE|stack backtrace:|\(Use `node --trace|"
     r"Aborted|Segmentation fault|==\d+==\s*ABORTING|=+$|\s*at |-+ \w+ stack trace -|\s*\d+: )"
 )
-_CARET = re.compile(r"^\s*\^+$")  # between the source line of an error and its name
+_CARET = re.compile(r"^\s*\^+$")  # the caret line below the source line of an error
 _REJECTED = re.compile(r'rejected with the reason "(.*)"')
 _PLACES = (
     re.compile(r'File "(?:[^"]*[/\\])?([^"/\\]*)", line (\d+)'),
@@ -45,7 +45,7 @@ _ENDED = ("exited with code", "was killed by signal")
 _NUMBER = re.compile(
     r"(\bline \d+|[\w/\\-]+\.[A-Za-z]\w*:\d+)|0x[0-9a-fA-F]+|\d+(?:[./]\d+)*(?:[eE][+-]?\d+)?"
 )
-# An apostrophe between letters is no quotation mark.
+# An apostrophe between letters is not a quotation mark.
 _QUOTED = re.compile(r"""(?<!\w)'[^']*'(?!\w)|"[^"]*"|`[^`]*`""")
 
 

@@ -24,7 +24,7 @@ class Sheet(NamedTuple):
     container: Candidate | None
     defects: list[Candidate]  # outlines that no part may overlap
     outlines: list[Candidate]  # all other outlines in the container
-    copies: list[Candidate]  # duplicates of the container on its layer
+    copies: list[Candidate]  # copies of the container on its own layer
 
 
 def find_sheets(outlines: Sequence[Candidate], container: str | None) -> list[Sheet]:

@@ -128,8 +128,8 @@ def draw_parts(
     for one in [one for one in ranked if one.fault.points][:_MAX_ENLARGED]:
         x, y = window.place(one.fault.points[0])
         drawn.append(f'<circle class="mark" cx="{x:.1f}" cy="{y:.1f}" r="10"/>')
-    labelled = range(len(placed)) if len(placed) <= _MAX_LABELED else sorted(bad)
-    for k in labelled[:_MAX_LABELED]:
+    labeled = range(len(placed)) if len(placed) <= _MAX_LABELED else sorted(bad)
+    for k in labeled[:_MAX_LABELED]:
         if inner := find_inner_point(judgement, k) or next(iter(placed[k].list_corners()), None):
             x, y = window.place(inner)
             drawn.append(f'<text class="number" x="{x:.1f}" y="{y + 4.5:.1f}">{k}</text>')

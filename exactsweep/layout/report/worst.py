@@ -60,7 +60,7 @@ class ReportContext(NamedTuple):
         return f"{length} {self.unit}" if self.unit else length
 
 
-NO_CONTEXT = ReportContext()  # of a layout without a file
+NO_CONTEXT = ReportContext()  # the context of a layout without a file
 
 
 def rank_faults(

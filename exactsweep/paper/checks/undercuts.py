@@ -58,7 +58,7 @@ def prove(pair: SweepPair) -> Iterator[str]:
 
 
 def undercuts_are_closed(pair: SweepPair) -> Iterator[str]:
-    """At and between the positions that close an undercut, G draws its whole bottom chain."""
+    """At and between the positions that close an undercut, G traces its whole bottom chain."""
     s = sweep(*pair)
     for undercut in s.undercuts:
         drawn = list(map(make_segment, _list_drawn(s, undercut.positions)))
