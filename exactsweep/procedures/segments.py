@@ -45,8 +45,8 @@ Cut = tuple[int, int, int, bool, bool, Sides]
 """(key, n, d, before, after, sides): a crossing with another segment, at parameter n / d.
 
     key            the key of n / d, see `crossings`
-    before, after  whether overlap beside the other segment passes through the crossing, on the
-                   side of the smaller and of the greater parameters
+    before, after  whether overlap passes through the crossing on one side of the other segment:
+                   the side of the smaller parameters, and that of the greater ones
     sides          the sides of the other segment
 """
 
