@@ -216,10 +216,7 @@ def _has_one_thread() -> bool:
 
 @contextmanager
 def _allow_spawn() -> Iterator[None]:
-    """Protect processes that start inside from Control-C and from modules in the working directory.
-
-    A Control-C reaches this process only afterwards.
-    """
+    """Defer Control-C, and hide modules in the working directory from processes started inside."""
     held_back = hasattr(signal, "pthread_sigmask")  # not on Windows
     before = signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT}) if held_back else ()
     own = {name: os.environ.get(name) for name in _SPAWNED}

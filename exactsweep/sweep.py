@@ -34,7 +34,7 @@ def sweep(
 ) -> Sweep:
     """Sweep a generatrix (first argument) around a directrix, in contact and without overlap.
 
-    The order of the arguments is that of the paper's (G, D).
+    The order of the arguments follows the paper's (G, D).
 
     Args:
         generatrix: G, a Polygon, a Region or the vertices of a polygon.
@@ -95,7 +95,7 @@ def no_fit_polygon(
 ) -> NoFitPolygon:
     """Find the positions where an orbiting polygon overlaps a stationary one (first argument).
 
-    In `sweep`, the first argument is the moving polygon.
+    Unlike in `sweep`, the moving polygon is the second argument.
 
     Args:
         stationary: D, a Polygon, a Region or the vertices of a polygon.
@@ -110,7 +110,7 @@ def no_fit_polygon(
         PolygonError: a shape is not valid.
         NumberError: a coordinate is not an exact number. Messages begin with the argument's name.
 
-    Cost: that of the trajectory of `sweep`, or that of `positions.find_no_fit` for kind "SS".
+    Cost: as for the trajectory of `sweep`; for kind "SS", as for `positions.find_no_fit`.
 
     Example:
         >>> square, triangle = [(0, 0), (1, 0), (1, 1), (0, 1)], [(0, 0), (2, 0), (1, 2)]
@@ -148,7 +148,7 @@ def inner_fit_polygon(
         PolygonError: a shape is not valid.
         NumberError: a coordinate is not an exact number. Messages begin with the argument's name.
 
-    Cost: that of `positions.find_inner_fit`.
+    Cost: as for `positions.find_inner_fit`.
 
     Example:
         >>> bin, unit = [(0, 0), (4, 0), (4, 2), (0, 2)], [(0, 0), (1, 0), (1, 1), (0, 1)]
@@ -202,7 +202,7 @@ def free_positions(
         PolygonError: a shape is not valid.
         NumberError: a coordinate is not an exact number. Messages begin with the argument's name.
 
-    Cost: that of `positions.find_inner_fit`.
+    Cost: as for `positions.find_inner_fit`.
 
     Example:
         >>> bin, unit = [(0, 0), (4, 0), (4, 2), (0, 2)], [(0, 0), (1, 0), (1, 1), (0, 1)]

@@ -7,7 +7,7 @@ Positions are translations of the moving polygon.
 >>> square = [(0, 0), (1, 0), (1, 1), (0, 1)]
 >>> certificate = sweep(square, square).certificate()
 >>> certificate["claim"], certificate["area"], certificate["proof"]["sums"]
-('sweep', '8', [[0, -1, -2, -3, -4]])
+('sweep', '8', [[0, [[-1], [-2], [-3], [-4]]]])
 """
 
 from __future__ import annotations

@@ -166,7 +166,7 @@ class _Finder:
         self.cover()
 
     def _find_edges(self, k: int) -> list[int]:
-        """Find the known edges that no side of a sum separates from it."""
+        """Find the known edges that no side of sum k separates from the sum."""
         sides, known = self._sums.sides(k), self._known
         return [n for n in self._edges[k] if not any(is_right(side, known[n]) for side in sides)]
 

@@ -44,8 +44,8 @@ class MinkowskiSum(Region):
     def certificate(self) -> dict[str, Any]:
         """Return plain JSON data that proves the sum to `check/standalone.py`.
 
-        The certificate of the sum of two shapes is that of the no-fit polygon of a and -b, which
-        has the same boundary. Raises PolygonError if the path is a single point. Cost: as for
+        For two shapes, the certificate proves the no-fit polygon of a and -b, which has the same
+        boundary. Raises PolygonError if the path is a single point. Cost: as for
         `evidence.proof.add_proof`.
 
         Example:
@@ -89,7 +89,7 @@ def minkowski_sum(a: Region | Vertices | Polyline, b: Region | Vertices | Polyli
     Cost: as for `no_fit_polygon`; for a shape and a path, O(m n log(m n) + c) for c crossings of
     contact segments.
 
-    Source: section 3 for two convex polygons; Behar and Lien 2011 for the others.
+    Source: section 3 for two convex polygons, otherwise Behar and Lien 2011.
 
     Example:
         >>> from exactsweep import Polyline

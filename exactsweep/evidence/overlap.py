@@ -126,8 +126,8 @@ def overlap(a: Region | Vertices, b: Region | Vertices) -> Overlap:
         PolygonError: a shape is not valid.
         NumberError: a coordinate is not an exact number. Messages begin with "a" or "b".
 
-    Cost: O((m + n) log(m + n)) for the verdict, if few edges are near each other; that of
-    `no_fit_polygon` for the shortest move.
+    Cost: O((m + n) log(m + n)) for the verdict, if few edges are near each other; for the shortest
+    move, as for `no_fit_polygon`.
 
     Example:
         >>> o = overlap([(0, 0), (4, 0), (4, 4), (0, 4)], [(2, 2), (6, 2), (6, 6), (2, 6)])

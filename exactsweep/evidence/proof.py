@@ -21,7 +21,7 @@ from exactsweep.numbers.digits import to_plain
 from exactsweep.numbers.number import Point, to_fraction
 
 _EDGES = 5
-"""Number of edges on either side of a slice of a convex polygon."""
+"""Maximum number of edges on each side of a slice of a convex polygon."""
 
 _PointList = Iterable[Iterable[object]]
 
@@ -29,8 +29,8 @@ _PointList = Iterable[Iterable[object]]
 def add_proof(claim: dict[str, Any]) -> dict[str, Any]:
     """Return the certificate of a claim; if it is a certificate, its proof is replaced.
 
-    Cost: `cut_to_convex` for both shapes. Then O(1) clipped segments for each side of a
-    listed sum, and O(1) for each known edge and each sum whose box touches it.
+    Cost: as for `cut_to_convex`, plus O(1) clipped segments for each side of a listed sum, and O(1)
+    for each known edge and each sum whose box touches it.
     """
     return to_plain({**claim, "proof": _PROVERS[claim["claim"]](claim)})
 
@@ -148,11 +148,7 @@ _PROVERS = {
 def _surround(
     container: IntRing, part: IntRing, unit: int
 ) -> tuple[list[Fraction], IntRing, list[Node]]:
-    """Put a frame around a container, with room for a part on each side.
-
-    Returns the integer ends of the frame; its ring on the lattice; and the corners of the rectangle
-    of positions at which the part is inside the frame.
-    """
+    """Return a frame with room for a part around a container, its ring, and its inner fit."""
     lows, highs, ends = [], [], []
     for k in (0, 1):
         low, high = min(p[k] for p in container), max(p[k] for p in container)

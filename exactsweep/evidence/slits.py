@@ -21,8 +21,8 @@ _PlanePoint = tuple[Fraction, Fraction]
 def unite(gaps: Iterable[Gap], known: Sequence[DirectedSegment]) -> list[DirectedSegment]:
     """Join collinear gaps; drop points on other gaps or on known edges.
 
-    Gaps are segments or points that share at most ends with known edges; any two slits have at
-    most one common point. Cost: O(n log n), plus O(1) for each point and each edge.
+    Segments meet known edges only at endpoints; two slits have at most one common point. Cost:
+    O(n log n), plus O(1) for each point and each edge.
 
     >>> a, b, c = (0, 0, 1), (1, 0, 1), (2, 0, 1)
     >>> [(slit.start, slit.end) for slit in unite([(b, c), (b, b), (b, a)], [])]

@@ -199,10 +199,8 @@ class _Guide:
         return None
 
     def _place(self, position: Point) -> tuple[int, Rational]:
-        """Find a position on the trajectory, counted from its first vertex in the frame.
-
-        No undercut of either sweep extends across that vertex.
-        """
+        """Find a position on the trajectory, counted from its first vertex in the frame."""
+        # No undercut of either sweep extends across that vertex.
         k = self._edge_to(position)
         assert k is not None
         point = self.sweep.solution.frame.enter_point(position, self.sweep.reference)

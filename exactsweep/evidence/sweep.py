@@ -133,7 +133,7 @@ class SweepAnswer(Certified):
 
     @cached_property
     def area(self) -> Fraction:
-        """The swept area: that of the outer loop minus those of the inner loop and of `unswept`."""
+        """The swept area: the area of the outer loop minus the inner loop and `unswept`."""
         return Area(self.outer.area - add_up(loop.area for loop in (self.inner, *self.unswept)))
 
     @cached_property

@@ -115,7 +115,7 @@ class Tracer(NamedTuple):
         raise ExactSweepError("no feature of the generatrix draws this edge")
 
     def draw_along(self, whole: Segment) -> Iterator[TracedPiece]:
-        """Draw with vertices and edges of G along edges of T; an edge includes its first vertex."""
+        """Yield the pieces that vertices and edges of G draw along edges of T."""
         u = whole.direction
         pens = [
             own if own.direction == u else lay_point(vertex, u)
@@ -127,7 +127,7 @@ class Tracer(NamedTuple):
                 yield TracedPiece(self.path.edge(k), whole._replace(low=low, high=high))
 
     def draw_at(self, whole: Segment) -> Iterator[TracedPiece]:
-        """Draw with edges of G at vertices of T."""
+        """Yield the pieces that edges of G draw at vertices of T."""
         stops = sorted(self.path.vertices, key=lambda t: measure_along(whole.direction, t))
         for own, t in product(self._list_edges(whole), stops):
             drawing = _draw_at(t, own)
@@ -145,8 +145,8 @@ def find_closing_positions(
 ) -> tuple[Intersection, list[Vertex]]:
     """Find `intersection` and `positions` of an undercut from its bottom chain, in the frame.
 
-    Raises ExactSweepError if the chain belongs to another sweep.
-    Cost: O(t n) for each edge, for t edges of T and n of G.
+    Raises ExactSweepError if the chain belongs to another sweep. Cost: O(t n) for each edge, for t
+    edges of T and n of G.
     """
     whole, *others = edges = list(map(make_segment, pairwise(bottom)))
     if not others and (closing := tracer.find_slide(whole)):

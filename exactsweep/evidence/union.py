@@ -80,7 +80,7 @@ def no_fit_union(
         PolygonError: a shape is not valid, or a group is empty.
         NumberError: a coordinate is not an exact number. Messages begin with the argument's name.
 
-    Cost: `positions.find_no_fit`, summed over all pairs of shapes.
+    Cost: as for `positions.find_no_fit`, summed over all pairs of shapes.
 
     Example:
         >>> square = [(0, 0), (1, 0), (1, 1), (0, 1)]

@@ -41,7 +41,7 @@ def canonicalize_ring(points: Sequence[Vertex]) -> CanonicalRing:
     (((0, 0), (2, 0), (2, 2)), (3, 1, 0), (1, 0, 3))
     """
     is_long = any(isinstance(c, Fraction) for p in points[:1] for c in p)
-    # The code below only subtracts, multiplies and compares them.
+    # The code below only subtracts, multiplies and compares coordinates.
     compared = cast(Sequence[Vertex], unreduced_points(points)) if is_long else points
     ring, vertices, edges = _join_equal(compared)
     turns = find_turns(ring)
@@ -84,7 +84,7 @@ def are_chains_monotone(ring: Sequence[Vertex]) -> bool:
 def _join_equal(
     points: Sequence[Vertex],
 ) -> tuple[Sequence[Vertex], Sequence[int], Sequence[int]]:
-    """Join cyclic runs of equal vertices; return one of each run, its least and its last index."""
+    """Merge cyclic runs of equal vertices; return one of each run, its least and its last index."""
     starts = [i for i, point in enumerate(points) if point != points[i - 1]]
     edges = [(i - 1) % len(points) for i in (*starts[1:], *starts[:1])]
     vertices = starts if starts[:1] == [0] else [*starts[:-1], 0]

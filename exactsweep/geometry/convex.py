@@ -1,12 +1,12 @@
 """Convex pieces of a shape, cut along diagonals from vertex to vertex.
 
-(1) Near a vertex the interior consists of open *cones*. Each runs counter-clockwise from an edge
-    that starts there to an edge that ends there. A diagonal runs from a vertex to a vertex through
-    the interior, and splits a cone at both.
-(2) Every cone wider than a half turn has a diagonal into it. If no cone is that wide, every face is
-    convex: a hole in a face would have such a cone at one of its corners.
-(3) So the edges of the pieces are the edges of the shape, and each diagonal in both directions. A
-    piece joins consecutive collinear edges.
+(1) Near a vertex the interior consists of open *cones*, each counter-clockwise from an outgoing
+    edge to an incoming one. A diagonal joins two vertices through the interior, and splits a cone
+    at each end.
+(2) Every cone wider than a half turn contains a diagonal. Without such cones, every face is convex:
+    a hole in a face would have one at a corner.
+(3) So the pieces consist of the edges of the shape, and of each diagonal in both directions.
+    Consecutive collinear edges of a piece are merged.
 """
 
 from __future__ import annotations
@@ -47,7 +47,7 @@ class _Plan:
         self.width = int(max(right - left, high - low))
         # The first square around a point has 64 vertices on average.
         self.reach = 4 * self.width // isqrt(len(self._vertices)) + 1
-        # A long diagonal would span many rows, so all diagonals share one; entry 0 is its bounds.
+        # A long diagonal would span many rows, so use a single row; entry 0 is its bounds.
         self._diagonals = BoxRows([box])
 
     def _find_on(self, a: IntVertex, b: IntVertex) -> Iterator[IntVertex]:
@@ -82,10 +82,10 @@ class _Plan:
 
 
 def cut_to_convex(rings: Sequence[IntRing]) -> list[ConvexRing]:
-    """Cut a shape into convex pieces between its vertices; rings may touch in points.
+    """Cut a shape into convex pieces between its vertices; rings may touch at points.
 
-    Cost: for each reflex vertex, the number of diagonals tried, times the number of vertices and
-    edges nearby, O(n) at worst.
+    Cost: for each reflex vertex, the number of diagonals tried times the number of nearby vertices
+    and edges, O(n) at worst.
     """
     plan = _Plan(rings)
     cones = _find_cones(plan.edges)
@@ -116,7 +116,7 @@ def _find_cones(edges: Sequence[tuple[IntVertex, IntVertex]]) -> dict[IntVertex,
 def _find_diagonal(
     p: IntVertex, wide: _Corner, cones: dict[IntVertex, list[_Corner]], plan: _Plan
 ) -> IntVertex:
-    """Find the end of a short diagonal into a wide cone that leaves few wide cones."""
+    """Find the other end of a short diagonal that splits a wide cone and leaves few others."""
     for vertices in _list_candidates(p, wide, cones, plan):
         for q in _list_ends(p, wide, cones, vertices):
             if not plan.is_blocked(p, q):
@@ -139,10 +139,8 @@ def _list_candidates(
 def _follow_face(
     p: IntVertex, wide: _Corner, cones: dict[IntVertex, list[_Corner]]
 ) -> set[IntVertex]:
-    """Return the next vertices along the boundary of a face, in both directions.
-
-    The diagonals of neighbors on a curve have neighboring ends, which may be far away.
-    """
+    """Return the next vertices along the boundary of a face, in both directions."""
+    # Diagonals from neighboring vertices of a curve have neighboring ends, which may be far away.
     found = set()
     for side in (0, 1):
         (x, y), direction = p, wide[side]

@@ -78,8 +78,8 @@ class Directions:
     def arcs(self) -> tuple[tuple[Vector, Vector], ...]:
         """Return the maximal closed arcs as pairs (first, last), counter-clockwise.
 
-        An isolated direction u is the arc (u, u). If all directions are monotone, as for a convex
-        polygon, the result is also one arc (u, u).
+        An isolated direction u is the arc (u, u). For a polygon that is monotone in all directions,
+        such as a convex one, the result is also one arc (u, u).
         """
         n = len(self.critical)
         if all(self.after):
@@ -135,7 +135,7 @@ class Directions:
 
 
 def reduce_direction(direction: Vertex) -> Vector:
-    """Reduce a direction to coprime ints, the first one positive or both (0, 1)."""
+    """Reduce a direction to coprime ints (a, b), with a > 0 or equal to (0, 1)."""
     (p, a), (q, b) = direction[0].as_integer_ratio(), direction[1].as_integer_ratio()
     if a != 1 or b != 1:
         p, q = p * b, q * a
@@ -202,7 +202,7 @@ def _rotate_through(ring: Sequence[Vertex]) -> Directions:
 
 
 def _compare_slopes(u: Vector, v: Vector) -> int:
-    # Both are in the half plane of `reduce_direction`.
+    # As results of `reduce_direction`, u and v lie in one half-plane.
     return u[1] * v[0] - u[0] * v[1]
 
 

@@ -49,7 +49,7 @@ def distance_squared(a: Region | Vertices, b: Region | Vertices) -> SquaredDista
         PolygonError: a polygon is not simple.
         NumberError: a coordinate is not an exact number. Messages begin with "a" or "b".
 
-    Cost: O((m + n) log(m + n)) if few pairs of edges are nearly nearest; O(m n log(m n)) at worst.
+    Cost: O((m + n) log(m + n)) if few pairs of edges are about as near; O(m n log(m n)) at worst.
 
     Example:
         >>> square, triangle = [(0, 0), (1, 0), (1, 1), (0, 1)], [(3, 0), (3, 3), (0, 3)]
@@ -63,11 +63,7 @@ def distance_squared(a: Region | Vertices, b: Region | Vertices) -> SquaredDista
 
 
 class _EdgeTree:
-    """A binary tree of boxes (left, right, low, high) of the edges of a shape.
-
-    `levels[0]` has the boxes of the edges. Each box of a later level encloses two neighbors of the
-    previous level; the last level has one box.
-    """
+    """A binary tree of boxes (left, right, low, high); `levels[0]` has one for each edge."""
 
     def __init__(self, rings: Rings) -> None:
         self.rings = rings
@@ -115,7 +111,7 @@ def _find_nearest(first: _EdgeTree, second: _EdgeTree) -> SquaredDistance:
 
 
 def _find_vertex_inside(first: _EdgeTree, second: _EdgeTree) -> Point | None:
-    """Find a vertex of one exterior that is an inner point of the other shape."""
+    """Find a vertex of one exterior in the interior of the other shape."""
     for one, other in ((first, second), (second, first)):
         x, y = one.rings[0][0]
         left, right, low, high = other.levels[-1][0]
@@ -178,7 +174,7 @@ def measure_to_edge(point: Vertex, edge: Edge) -> _NearestRatio:
 
 
 def find_foot(point: Vertex, edge: Edge) -> Point:
-    """Return the nearest point on a segment, which may be a point."""
+    """Return the nearest point on a segment, which may have length 0."""
     (px, py), ((ax, ay), (bx, by)) = point, edge
     dx, dy = bx - ax, by - ay
     length = dx * dx + dy * dy

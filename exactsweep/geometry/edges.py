@@ -1,4 +1,4 @@
-"""The edges of a shape: searches by box, and the position of points."""
+"""The edges of a shape, for box queries and point location."""
 
 from __future__ import annotations
 
@@ -58,7 +58,7 @@ class EdgeIndex:
         return [self.edges[k] for k in sorted(self._rows.find(box))]
 
     def near_moved(self, box: Bounds, x: Rational, y: Rational, scale: int) -> list[BoxedEdge]:
-        """Return the edges that `move_edge` moves near a box, sorted likewise."""
+        """Return the edges whose boxes meet a box after `move_edge`, in the same order."""
         left, right, low, high = box
         columns = (left - x) // scale, -((x - right) // scale)
         return self.near((*columns, (low - y) // scale, -((y - high) // scale)))
@@ -81,7 +81,7 @@ def move_edge(edge: BoxedEdge, x: Rational, y: Rational, scale: int) -> BoxedEdg
 
 
 def is_inside(point: Vertex, rings: Rings) -> bool:
-    """Decide whether a point is an inner point of a shape. Cost: O(n).
+    """Decide whether a point is in the interior of a shape. Cost: O(n).
 
     >>> square = [[(0, 0), (2, 0), (2, 2), (0, 2)]]
     >>> is_inside((1, 1), square), is_inside((2, 1), square)

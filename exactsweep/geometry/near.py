@@ -53,7 +53,7 @@ class BoxRows:
         return range(max(first, 0), min(last + 1, len(self._rows)))
 
     def add(self, box: Bounds, number: int) -> None:
-        """Add a box inside the bounds of the others. Cost: O(boxes in its rows)."""
+        """Add a box inside the bounds of the existing boxes. Cost: O(boxes in its rows)."""
         for row in self._find_rows(*box[2:]):
             insort(self._rows[row], (*box, number))
 

@@ -41,7 +41,7 @@ class Relation(Enum):
 def relate(
     shape: EdgeIndex, part: EdgeIndex, x: Rational = 0, y: Rational = 0, scale: int = 1
 ) -> Relation:
-    """Find the relation of two shapes, or a shape and a path, the second at (x / scale, y / scale).
+    """Relate a shape to another shape or a path, translated by (x / scale, y / scale).
 
     Cost: one search for the edges in the intersection of the two boxes, and one more for each edge
     there if they are many.
@@ -70,10 +70,7 @@ def relate(
 def _find_cones(
     shape: EdgeIndex, part: EdgeIndex, box: Bounds, position: tuple[Rational, Rational, int]
 ) -> Mapping[Vertex, tuple[set[_EdgeCone], set[_EdgeCone]]] | None:
-    """Find the cones of both shapes at the common points of their boundaries.
-
-    Returns None if edges cross, or overlap in the same direction.
-    """
+    """Find the cones at common points of the boundaries; None if the edges imply an overlap."""
     cones: defaultdict[Vertex, tuple[set[_EdgeCone], set[_EdgeCone]]]
     cones = defaultdict(lambda: (set(), set()))
     along: list[tuple[Sequence[Vertex], BoxedEdge, BoxedEdge]] = []

@@ -88,10 +88,7 @@ class Polygon(PointSet):
     def _trust(
         cls, points: Sequence[Vertex], scale: int | None = None, *numbers: Sequence[int]
     ) -> Self:
-        """Make a Polygon from canonical points, divided by the scale, without validation.
-
-        Without a scale, they are Points. By default, vertices and edges are numbered in order.
-        """
+        """Make a Polygon without validation, from canonical Points or points on a lattice."""
         polygon = cls.__new__(cls)
         polygon._set(points, scale, *(numbers or [range(len(points))] * 2))
         return polygon

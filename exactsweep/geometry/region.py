@@ -27,7 +27,7 @@ class Region(PointSet):
 
     Args:
         exterior: the outer boundary, as a Polygon or vertices; or a Region or another object with a
-            `__geo_interface__`, whose holes are added to the others.
+            `__geo_interface__`, whose holes come before `holes`.
         holes: Polygons or their vertices, in any order and orientation.
 
     Raises:
@@ -51,7 +51,7 @@ class Region(PointSet):
 
     exterior: Polygon
     holes: tuple[Polygon, ...]
-    # The number in the input of the first vertex of each ring.
+    # The input index of the first vertex of each ring.
     _firsts: Sequence[int]
 
     def __init__(self, exterior: Region | Vertices, holes: Iterable[Vertices] = ()) -> None:
@@ -77,10 +77,7 @@ class Region(PointSet):
 
     @staticmethod
     def _trust(rings: Sequence[Polygon], firsts: Sequence[int] = ()) -> Region:
-        """Make a Region from its exterior and its holes, without validation.
-
-        By default, vertices and edges are numbered in order.
-        """
+        """Make a Region from its exterior and its holes, without validation."""
         region = Region.__new__(Region)
         region._set(rings, firsts)
         return region
@@ -152,7 +149,7 @@ AnyPolygon = Polygon | Region
 
 
 def to_shape(shape: Region | Vertices, name: str) -> AnyPolygon:
-    """Read a Polygon, a Region or the vertices of a polygon: a Region if there are holes.
+    """Read a Polygon, a Region or vertices: as a Region if there are holes, else as a Polygon.
 
     Raises PolygonError or NumberError; the message begins with the name.
     """
@@ -183,9 +180,8 @@ def common_lattice(
 ) -> tuple[int, list[list[Vertex]]]:
     """Put polygons on the coarsest integer lattice that contains them all.
 
-    Returns the scale, and the vertices times the scale. If the scale would have more bits, scaled
-    numbers would be longer than the originals; then it is 1, and vertices off that lattice are
-    Fractions.
+    Returns the scale, and the vertices times the scale. If the scale would have more than the given
+    bits, it is 1 and the vertices are unchanged, because scaled numbers would be longer.
     """
     lattices = [polygon.lattice() for polygon in polygons]
     scale = lcm_within((own for own, _ in lattices), bits)

@@ -1,4 +1,4 @@
-"""Segments keyed by their lines, so that a dictionary finds those on one line.
+"""Segments with a key for their line, so that a dictionary groups collinear ones.
 
 The key of a line is its primitive integer direction (a, b), with a > 0 or equal to (0, 1), and the
 value a * y - b * x.
@@ -61,7 +61,7 @@ def measure_along(direction: Vector, point: Vertex) -> Rational:
 
 
 def choose_cover(whole: Segment, pieces: Iterable[tuple[Segment, int]]) -> list[int] | None:
-    """Choose the indices of a small set of pieces that covers a segment of their line, or None."""
+    """Choose a few collinear pieces that cover a segment; return their indices, or None."""
     pieces = sorted(pieces)
     chosen: list[int] = []
     reached = whole.low

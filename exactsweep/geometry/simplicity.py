@@ -35,7 +35,7 @@ def find_conflict(ring: Sequence[Vertex]) -> Conflict | None:
 
 
 def _sweep(ring: Sequence[Vertex], order: Sequence[int]) -> Conflict | None:
-    """Sweep distinct vertices in lexicographic order, like a slightly tilted vertical line.
+    """Sweep a slightly tilted vertical line across distinct vertices, in the given order.
 
     The status lists the edges that cross the line, from bottom to top. Invariant: no two edges that
     were ever neighbors in it meet. So a conflict at the next vertex is found there or earlier.

@@ -1,4 +1,4 @@
-"""Rotations of the plane: exact ones, and rational ones arbitrarily near an angle.
+"""Exact rotations of the plane, and rational approximations of arbitrary precision.
 
 (1) The cosine and the sine of a rational number of degrees are both rational only for multiples of
     90 (Niven). Every other rational rotation is given by its cosine and sine.
@@ -48,8 +48,8 @@ class RationalTurn(NamedTuple):
 class Turn:
     """A counter-clockwise rotation about the origin, by degrees in [0, 360).
 
-    `degrees` is None for a rotation given by its cosine and sine; `exact`, the pair of both, is
-    None if they are irrational.
+    `degrees` is None for a rotation given by its cosine and sine; `exact` is the pair (cosine,
+    sine), or None if they are irrational.
     """
 
     degrees: Fraction | None

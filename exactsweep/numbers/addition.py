@@ -1,4 +1,4 @@
-"""Sums of many fractions, in about twice the time of the last addition.
+"""Balanced addition of many fractions.
 
 A running sum of n fractions with unrelated denominators grows at each step, and each step computes
 a greatest common divisor in quadratic time. `add_up` adds pairs, then pairs of sums, and so on, so

@@ -116,7 +116,7 @@ def find_magnitude(value: Fraction) -> int:
 def abridge(value: Fraction) -> str:
     """Format a number for display: exactly if that is short, else rounded, with a final "~".
 
-    Values of floats become the decimal that Python writes for them, others have twelve digits.
+    Float values are rounded to the decimal that Python writes, others to twelve digits.
 
     >>> abridge(Fraction(-7, 2)), abridge(Fraction(-(10**99))), abridge(Fraction(10**30 + 1, 10**9))
     ('-7/2', '-1e+99', '1000000000000000000000.000000001')
@@ -161,7 +161,7 @@ def is_float(value: Fraction) -> bool:
 
 
 def format_rounded(value: Fraction | int, spec: str) -> str:
-    """Format a number by a float format specifier, rounding once; raise ValueError for others.
+    """Format a number by a float format specifier, rounding once; ValueError for another one.
 
     >>> format_rounded(Fraction(2, 3), ".3f"), format_rounded(Fraction(10**40, 3), ".2e")
     ('0.667', '3.33e+39')

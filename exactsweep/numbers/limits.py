@@ -1,7 +1,7 @@
 """Limits on untrusted input: digits per number, bytes per text.
 
 Numbers in strings and Decimals are limited, because a few characters such as `1e999999999` must not
-allocate gigabytes. But every answer must be readable again.
+allocate gigabytes. Yet the package must be able to read every answer that it writes.
 
 (1) A number may have D = `max_digits` digits in its numerator and in its denominator.
 (2) A number written out digit by digit may have 32 D + 7 digits. By (3) to (5), no vertex of a loop
@@ -11,8 +11,8 @@ allocate gigabytes. But every answer must be readable again.
 Let |n|, d < 10^D for all coordinates n/d of two polygons.
 
 (3) A line through d1 - g and d2 - g, for vertices d1, d2 of one polygon and g of the other, is A x
-    + B y = C with ints |A|, |B| < 2 * 10^6D and |C| < 8 * 10^6D: A and B have the denominators of
-    d1 and d2, which cancel that of d1 in C, and C has those of g.
+    + B y = C with ints |A|, |B| < 2 * 10^6D and |C| < 8 * 10^6D: multiply by the denominators of
+    d1, d2 and g.
 (4) Two such lines cross at a vertex t of a trajectory or a hole, or at the end of an exact fit,
     with the denominator A B' - A' B < 8 * 10^12D and numerators below 32 * 10^12D; a reference
     point adds D digits.
@@ -24,7 +24,7 @@ Reading takes up to 130 bytes of memory per byte of text, so the size of text is
 
 (6) Text is charged its number of bytes, but at least 16 bytes for each vertex, 32 for each SVG
     element and 64 for each DXF entity, each time it is drawn; the limit is `max_mib` MiB.
-(7) If an answer has more vertices than that, its writer reports the limit needed to read it.
+(7) If an answer exceeds that limit, its writer reports the limit needed to read it.
 """
 
 from collections.abc import Iterator

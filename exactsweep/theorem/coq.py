@@ -34,7 +34,7 @@ Print Assumptions proved.
 
 
 def write_theorem(certificate: Any, name: str = "certificate") -> str:
-    """Write a certificate of version 3 as the theorem of a Coq file, given without its suffix.
+    """Write a certificate of version 3 as a theorem in a Coq file; `name` has no suffix.
 
     Coq accepts the file if and only if the checker in Coq accepts the certificate. Raises
     TheoremError for other versions and unknown claims, and Refused if the form is wrong.

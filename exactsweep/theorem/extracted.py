@@ -43,7 +43,7 @@ def build_checker(proof: Path = PROOF) -> Path:
 def ask(certificate: Any, seconds: float = 600) -> str:
     """Run the extracted checker on a certificate; build it if necessary.
 
-    Returns "accepted", "rejected", "out of time", or "malformed", also for claims without a
+    Returns "accepted", "rejected", "out of time", or "malformed", which includes claims without a
     theorem. Raises RuntimeError if the checker cannot be built or fails.
     """
     try:

@@ -1,6 +1,6 @@
 """Values in certificates as terms for Coq.
 
-Claims depend on these readers, most of which are those of `standalone.py`; evidence is not trusted.
+Claims depend on these readers; most belong to `standalone.py`. Evidence is not trusted.
 """
 
 from __future__ import annotations
@@ -74,7 +74,7 @@ def read_frame(item: Any) -> tuple[Fraction, ...]:
 
 
 def cut_region(exterior: Any, holes: Any, *inner: Any) -> tuple[Any, ...]:
-    """Cut a region with its holes into convex pieces, and each hole, the inner one first."""
+    """Cut into convex pieces: a region with its holes, then the inner loop and each hole."""
     first, *others = map(read_ring, [exterior, *inner, *holes])
     return _cut([first, *(points[::-1] for points in others)]), [_cut([e]) for e in others]
 

@@ -30,10 +30,7 @@ _NUMBERS = {2: "two", 3: "three", 4: "four"}
 
 
 class _NearEdge(NamedTuple):
-    """The open hexagon of points closer than a bound to an edge, with its bounding box.
-
-    Strip (u, v, middle, half) consists of the points p with |u p.x + v p.y - middle| < half.
-    """
+    """The open hexagon of points closer than a bound to an edge, with its bounding box."""
 
     left: Fraction
     right: Fraction
