@@ -65,7 +65,7 @@ def export(
     output: str,
     side_of: Callable[[NamedRegion], Side],
 ) -> None:
-    """Write polygons and exact fits, and report the changes by rounding on standard error.
+    """Write polygons and exact fits, and report on standard error how rounding changed them.
 
     `side_of` is "outward" for forbidden regions, "inward" for free ones, and "closest" for others.
     """

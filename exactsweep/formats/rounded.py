@@ -37,7 +37,7 @@ class _Round(NamedTuple):
 
 
 def find_rounded(path: Path) -> RoundedOutline | None:
-    """Return hull and radius of a rounded path; None for other paths and irrational radii."""
+    """Return the hull and radius of a rounded path; None for other paths and irrational radii."""
     if not path.curves or path.gap or path.soft or not path.is_closed:
         return None
     found = [_find_circle(*drawn) for drawn in path.curves.values()]

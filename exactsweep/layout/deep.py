@@ -59,7 +59,7 @@ def _list_lines(boundary: Sequence[Edge]) -> Iterator[_HorizontalChord]:
     for low, high in pairwise(sorted({y for edge in boundary for _, y in edge})):
         y = _halve(low, high)
         crossed = (boundary[k] for k in rows.find((left, right, y, y)))
-        # Each chord has its left and right end, and its height.
+        # The left end, the right end and the height of each chord.
         yield from ((*chord, y) for chord in _list_chords(crossed, y, 0))
 
 

@@ -33,7 +33,7 @@ _TINY = Fraction(1, 10**6)
 
 
 def find_depth_move(board: Board, placements: Sequence[int], bits: int) -> Point | None:
-    """Find the shortest move of the last placement without overlap, ignoring errors, or None."""
+    """Find the shortest move of the last placement that removes all overlap; ignore errors."""
     if not board.is_rounded(placements):
         return _find_move(board, placements, bits, Fraction(0))
     is_free = _make_overlap_judge(board, placements, bits)

@@ -38,7 +38,7 @@ _MAX_PAIRS, _MAX_TESTS = 250_000, 4_000_000
 class Meetings:
     """The positions at which two vertices meet without overlap nearby.
 
-    `others` are more stationary shapes; `inside` is true for inner fits. Cost:
+    `others` are additional stationary shapes; `inside` is true for inner fits. Cost:
     O((m + n) log(m + n) + p log p) for p pairs of an edge and a vertex that can touch without
     overlap; p is O(m + n) for convex polygons, and O(mn) in general.
     """

@@ -31,7 +31,7 @@ def main(new: tuple[Path, ...], renew: bool) -> None:
     for path in new:
         read = json.loads(path.read_text(encoding="utf-8"))
         if read["theme"] not in added:
-            raise click.ClickException(f"{path}: {read['theme']!r} is no theme")
+            raise click.ClickException(f"{path}: {read['theme']!r} is not a theme")
         added[read["theme"]] += read["cases"]
     files = {}
     digests: dict[str, str] = {}

@@ -230,7 +230,7 @@ WITH_HOLES: dict[str, tuple[Any, Any, Any, str]] = {
     "one inside the other along the exterior": (THIN, WALL, (0, 0), "OVERLAP"),
     "pinch": (PINCHED, [(0, 0), (1, "-1/2"), (1, "1/2")], (0, 2), "CONTACT"),
     "tips": (PINCHED, [(0, 0), (-1, "-1/2"), (-1, "1/2")], (0, 2), "CONTACT"),
-    "tip beside a pinch": (PINCHED, [(0, 0), (1, 0), (1, 1)], (0, 2), "OVERLAP"),
+    "tip next to a pinch": (PINCHED, [(0, 0), (1, 0), (1, 1)], (0, 2), "OVERLAP"),
     "pinched inside": (box(-9, -9, 9, 9), PINCHED, (0, 0), "OVERLAP"),
 }
 

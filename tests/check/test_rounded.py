@@ -145,8 +145,8 @@ CHANGES: dict[str, tuple[Any, str]] = {
         "not convex, counter-clockwise",
     ),
     "a radius below 0": (((*PART, "pieces", 0, "radius"), "-1"), "radius: below 0"),
-    "an exterior, too": (((*PART, "exterior"), rect(0, 0, 1, 1)), ALONE),
-    "holes, too": (((*PART, "holes"), [rect(0, 0, 1, 1)]), ALONE),
+    "also an exterior": (((*PART, "exterior"), rect(0, 0, 1, 1)), ALONE),
+    "also holes": (((*PART, "holes"), [rect(0, 0, 1, 1)]), ALONE),
     "neither": (((*PART, "pieces"), None), ALONE),
     "a list of pieces": ((("proof", "pieces", 0), [rect(0, 0, 1, 1)]), ALONE),
     "a container of two": (

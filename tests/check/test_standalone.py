@@ -59,7 +59,7 @@ def change(*path: Any, to: Any) -> Callable[[Any], Any]:
 
 CONDITIONS = {
     "a key is missing": ("cave", drop(("holes",)), "holes: missing"),
-    "a key too many": ("cave", change("x", to=1), "certificate: not an object with keys"),
+    "an additional key": ("cave", change("x", to=1), "certificate: not an object with keys"),
     "not an object": ("cave", change("proof", to=[]), "proof: not an object with keys"),
     "not a list": ("cave", change("holes", to={}), "holes: not a list"),
     "a list of another length": (
@@ -67,7 +67,7 @@ CONDITIONS = {
         change("exterior", 0, to=["1"]),
         "not a list of 2 entries",
     ),
-    "an index that is none": (
+    "an invalid index": (
         "cave",
         change("proof", "sums", 0, 0, to="0"),
         "proof.sums[0][0]: not of type int",
@@ -113,7 +113,7 @@ CONDITIONS = {
         change("proof", "directrix", to=lambda _: [[[str(x), str(y)] for x, y in CAVE]]),
         "directrix, piece 0: not convex",
     ),
-    "pieces that are one another": (
+    "equal pieces": (
         "cave",
         lambda c: put(
             put(c, ("directrix", "exterior"), c["directrix"]["exterior"] * 2),
@@ -132,12 +132,12 @@ CONDITIONS = {
         change("exterior", to=lambda ring: [ring[0], *ring[:0:-1]]),
         "or not counter-clockwise",
     ),
-    "a fit that is there twice": (
+    "a repeated fit": (
         "room",
         change("exact_fits", to=lambda fits: [*fits, [["9", "9"], ["9", "9"]]] * 2),
         "meets exact_fits[",
     ),
-    "an edge that is a fit, too": (
+    "an edge that is also a fit": (
         "cave",
         lambda c: put(c, ("exact_fits",), [*c["exact_fits"], c["exterior"][:2]]),
         "meets",
@@ -152,8 +152,8 @@ CONDITIONS = {
         change("exact_fits", to=lambda fits: [*fits, [["1/2", "1/2"], ["3/4", "1/2"]]]),
         "inside the sum of pieces",
     ),
-    "a hole that is left out": ("cave", change("holes", to=[]), " is no sum or known edge"),
-    "a sum that is left out": (
+    "a missing hole": ("cave", change("holes", to=[]), " is no sum or known edge"),
+    "a missing sum": (
         "cave",
         change("proof", "sums", to=lambda sums: [[k, [[]] * len(chains)] for k, chains in sums]),
         "a side of it is not covered",
@@ -166,7 +166,7 @@ CONDITIONS = {
         ),
         "exterior, edge 0: sums are not along its left",
     ),
-    "a fit that is beside nothing": (
+    "a fit next to no sum": (
         "cave",
         change("exact_fits", to=lambda fits: [*fits, [["90", "0"], ["91", "0"]]]),
         "sums are not along its left",
@@ -190,14 +190,14 @@ CONDITIONS = {
         "part: no pieces",
     ),
     "another area": ("SS", change("area", to=lambda a: str(Fraction(a) + 1)), "area: differs"),
-    "inner and a further loop exchanged": (
+    "inner loop and another loop exchanged": (
         "unswept",
         lambda c: json.loads(
             json.dumps(add_proof({**c, "inner": c["unswept"][0], "unswept": [c["inner"]]}))
         ),
         "inner, at the directrix: winding number 0, expected -1",
     ),
-    "a hole beside its exterior": (
+    "a hole next to its exterior": (
         "island",
         change("regions", 0, "holes", 0, to=[["90", "0"], ["91", "0"], ["90", "1"]]),
         "regions[0].holes[0]: winding number 1, expected 0",
@@ -322,7 +322,7 @@ FORMS: dict[str, Callable[[Any], Any]] = {
     "holes in another order": change("directrix", "holes", to=lambda holes: holes[::-1]),
     "another first vertex": change("directrix", "exterior", to=lambda r: r[1:] + r[:1]),
     "clockwise": change("directrix", "exterior", to=lambda r: r[::-1]),
-    "chains the other way": change(
+    "reversed chains": change(
         "proof",
         "sums",
         to=lambda sums: [[k, [chain[::-1] for chain in chains]] for k, chains in sums],

@@ -63,7 +63,7 @@ PART = ("layout", "parts", 0)
 VALID = {
     "neither true nor false": (having("valid", to=1), "valid: not of type bool"),
     "another id": (having(*PLACED, 0, "part", to="x"), "placements[0]: unknown part"),
-    "an id of two parts": (
+    "a duplicate part id": (
         lambda c: put(
             put(c, ("layout", "parts"), c["layout"]["parts"] * 2),
             ("proof", "pieces"),
@@ -73,12 +73,12 @@ VALID = {
     ),
     "mirrored is none": (having(*PLACED, 0, "mirrored", to=0), "mirrored: not of type bool"),
     "a part's is none": (having(*PART, "mirrored", to=0), "mirrored: not of type bool"),
-    "a demand that is none": (having(*PART, "demand", to=10**9), "demand: not of type int"),
+    "an invalid demand": (having(*PART, "demand", to=10**9), "demand: not of type int"),
     "a demand below 0": (having(*PART, "demand", to=-1), "demand: below 0"),
     "another demand": (having(*PART, "demand", to=3), "rules are violated: [('missing', 'L')]"),
     "a smaller demand": (having(*PART, "demand", to=1), "rules are violated: [('surplus', 'L')]"),
     "a rotation that is not allowed": (having(*PART, "turns", to=["0"]), "[('turn', 'L')]"),
-    "a rotation that is none": (
+    "an invalid rotation": (
         having(*PART, "turns", to=[["1", "1"]]),
         "cosine and sine not on the unit",
     ),
@@ -89,7 +89,7 @@ VALID = {
     ),
     "a spacing below 0": (having("layout", "spacing", to="-1"), "layout.spacing: below 0"),
     "too near": (having("layout", "spacing", to="1/9"), "not apart from layout.placements[1]"),
-    "too near a side": (having("layout", "margin", to="1/9"), "container, piece "),
+    "too close to a side": (having("layout", "margin", to="1/9"), "container, piece "),
     "in another place": (
         having(*PLACED, 1, "move", to=["3", "17/9"]),
         "not apart from layout.placements[1]",
@@ -100,7 +100,7 @@ VALID = {
         "container, piece ",
     ),
     "beyond the frame": (having(*PLACED, 1, "move", to=["33", "22"]), "not in the container"),
-    "no part at all": (
+    "no parts": (
         lambda c: put(
             put(c, (*PART, "exterior"), [["0", "0"], ["1", "0"], ["2", "0"]]),
             ("proof", "pieces", 0),
@@ -120,7 +120,7 @@ VALID = {
         having("proof", "apart", to=[[0, 1, 0, "1", "0"]]),
         "apart[0]: not a list of 6 entries",
     ),
-    "faults beside a proof": (having("faults", to=[]), "valid: neither true with a proof"),
+    "faults in addition to a proof": (having("faults", to=[]), "valid: neither true with a proof"),
 }
 
 
@@ -133,25 +133,25 @@ def test_each_condition_of_a_valid_layout_is_needed(name: str) -> None:
 FAULT = ("faults", 0)
 FAULTS = {
     "of what": (without((*FAULT, "placements")), "faults[0].placements: missing"),
-    "a kind that is none": (
+    "an unknown kind": (
         having(*FAULT, "kind", to=["overlap"]),
         "faults[0].kind: none of missing",
     ),
-    "an unknown kind": (having(*FAULT, "kind", to="near"), "faults[0].kind: none of missing"),
-    "of a part that is none": (
+    "a misspelled kind": (having(*FAULT, "kind", to="near"), "faults[0].kind: none of missing"),
+    "of an unknown part": (
         having(*FAULT, to={"kind": "missing", "part": "x"}),
         "faults[0]: unknown part",
     ),
-    "a rule that is kept": (
+    "an obeyed rule": (
         having(*FAULT, to={"kind": "missing", "part": "a"}),
         "the part has no such fault",
     ),
-    "a shape that is simple": (
+    "a simple shape": (
         having(*FAULT, to={"kind": "shape", "part": "a", "point": ["1", "1"]}),
         "the part has no such fault",
     ),
     "too many bodies": (having(*FAULT, "placements", to=[0, 1, 2]), "not a list of 2 entries"),
-    "a body that is none": (having(*FAULT, "placements", to=[0, 3]), "not overlap of two bodies"),
+    "an unknown body": (having(*FAULT, "placements", to=[0, 3]), "not overlap of two bodies"),
     "outside of a placement": (having(*FAULT, "kind", to="outside"), "of two bodies"),
     "overlap with the outside": (
         having(*FAULT, "placements", 1, to=-1),

@@ -81,17 +81,17 @@ def _reasons(pair: SmallPair, answered: Any) -> Iterator[str]:
             yield f"contacts at {t}"
     for fit in s.exact_fits:
         if not is_exact_fit(g, d, fit):
-            yield f"{fit} is no exact fit"
+            yield f"{fit} is not an exact fit"
     if s.kind == "SS":
         return
     if sum(u.polygon.area for u in s.undercuts) + d.area != s.inner.area:
         yield "areas of the undercuts"
     for undercut in s.undercuts:
         if classify(d, undercut.polygon, (0, 0)).verdict != "CONTACT":
-            yield f"{undercut.polygon} is no undercut of D"
+            yield f"{undercut.polygon} is not an undercut of D"
         for extreme in undercut.extremes:
             if point_in_polygon(extreme, d) or point_in_polygon(extreme, s.inner):
-                yield f"{extreme} is no extreme contact point"
+                yield f"{extreme} is not an extreme contact point"
         for position in undercut.positions:
             if point_in_polygon(position, s.trajectory):
                 yield f"{position} closes an undercut but is not on the trajectory"

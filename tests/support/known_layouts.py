@@ -53,7 +53,7 @@ FAULTY: dict[str, tuple[Layout, list[tuple[str, tuple[int, ...]]]]] = {
         lay(SHEET, {"f": {"exterior": box(-1, -1, 11, 11), "holes": [SHEET]}}, put("f")),
         [("outside", (0,))],
     ),
-    "contact where a spacing is asked for": (
+    "contact despite a required spacing": (
         lay(SHEET, {"t": TILE}, put("t"), put("t", (1, 0)), spacing=TINY),
         [("too close", (0, 1))],
     ),
@@ -61,7 +61,7 @@ FAULTY: dict[str, tuple[Layout, list[tuple[str, tuple[int, ...]]]]] = {
         lay(SHEET, {"r": RING, "t": TILE}, put("r"), put("t", ("1.5", "1.4")), spacing="1/2"),
         [("too close", (0, 1))],
     ),
-    "an overlap is not too close as well": (
+    "an overlap is not also too close": (
         lay(SHEET, {"t": TILE}, put("t"), put("t", ("1/2", 0)), spacing=1),
         [("overlap", (0, 1))],
     ),

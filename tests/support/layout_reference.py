@@ -296,7 +296,7 @@ def find_unproved(judgement: Judgement, rng: Random) -> str:
     if not result.proved:
         return f"certificate: {result.reason}"
     if verify({**certificate, "valid": not certificate["valid"]}).proved:
-        return "certificate: the other verdict is proved, too"
+        return "certificate: the other verdict is also proved"
     # A normal for all pieces may be unnecessary: perhaps no two of them are near.
     apart = certificate["proof"]["apart"] if certificate["valid"] else []
     needed = [entry for entry in apart if entry[1] >= 0]

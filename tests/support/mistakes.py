@@ -282,7 +282,7 @@ OTHERS: dict[str, tuple[Change, tuple[str, ...], str]] = {
     "text": (put(LOOP, lambda c: "POLYGON ((0 0, 1 0, 0 1))"), BROKEN, "not a list"),
     "no outer loop": (lambda c, a: {k: a[k] for k in a if k != "outer"}, BROKEN, "missing"),
     # Whole answers.
-    "the answer of the case before": (go_stale({}), ANY, "."),
+    "the answer of the previous case": (go_stale({}), ANY, "."),
     "always the same": (
         put(LOOP, lambda c: [CONSTANT]),
         DIFFERS,

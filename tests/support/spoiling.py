@@ -306,7 +306,7 @@ REFERENCE: dict[str, Callable[[Case], Sequence[Any]]] = {
     "G's first vertex as reference": lambda c: c.generatrix_ring[0],
     "G's last vertex as reference": lambda c: c.generatrix_ring[-1],
     "lower left corner of G's box as reference": lambda c: c.generatrix.bounding_box[0],
-    "centre of G's box as reference": lambda c: [
+    "center of G's box as reference": lambda c: [
         sum(side) / 2 for side in zip(*c.generatrix.bounding_box, strict=True)
     ],
     "mean of G's vertices as reference": lambda c: [

@@ -175,7 +175,7 @@ BY_FAULT: dict[Procedure, dict[str, Sabotage]] = {
         "LowerEnvelope_CM: right, but every partial trajectory is kept": keep_each,
     },
     cm.trajectory_cm: {
-        "Trajectory_CM: right, but with m² + n² comparisons more": before(
+        "Trajectory_CM: right, but with m² + n² additional comparisons": before(
             lambda *chains: [*map(compare_all, chains, chains)]
         ),
         "Trajectory_CM: right, but restarted at each vertex of D_b": restart,
@@ -198,23 +198,23 @@ BY_FAULT: dict[Procedure, dict[str, Sabotage]] = {
         ),
     },
     mm.sweep_inner_mm: {
-        "Sweep_MM, inner loop: right, but all of T's inside is swept": before(
+        "Sweep_MM, inner loop: right, but the whole inside of T is swept": before(
             lambda generatrix, directrix, trajectory, *path: mm.trajectory_mm(
                 generatrix, trajectory.chain().half_turn()
             )
         )
     },
     mm.sweep_outer_mm: {
-        "Sweep_MM, outer loop: right, but every vertex of it compared with every one of T": after(
+        "Sweep_MM, outer loop: right, but each vertex is compared with every vertex of T": after(
             lambda found, bottom, trajectory: compare_all(found, trajectory)
         )
     },
     mm.sweep_mm: {
         "Sweep_MM: right, but a table of m² is kept": before(keep_table),
-        "Sweep_MM: right, but found anew √n times": repeated(lambda n: int(n**0.5)),
+        "Sweep_MM: right, but computed √n times": repeated(lambda n: int(n**0.5)),
     },
     graph.lower_envelope_mm: {
-        "LowerEnvelope_MM: right, but one chain after the other": lambda right: (
+        "LowerEnvelope_MM: right, but one chain at a time": lambda right: (
             lambda graphs: reduce(graph.merge, graphs)
         )
     },

@@ -46,7 +46,7 @@ def keep_first_unswept(right: Procedure) -> Procedure:
 
 NO_FIT: dict[str, Sabotage] = {
     "no holes": changing(within=lambda loops: []),
-    "the last hole forgotten": changing(within=lambda loops: loops[:-1]),
+    "the last hole is forgotten": changing(within=lambda loops: loops[:-1]),
     "single positions forgotten": changing(fits=lambda fits: [(a, b) for a, b in fits if a != b]),
     "a corner of the exterior is cut": changing(around=cut_corner),
     "holes of an area below two are lost": changing(
@@ -68,23 +68,23 @@ OTHERS: dict[str, tuple[Procedure, Sabotage]] = {
             lambda piece, leaving, choose=max: right(piece, leaving, min if choose is max else max)
         ),
     ),
-    "contact segments: those of G's vertices forgotten": (
+    "contact segments: those of G's vertices are forgotten": (
         segments.find_contact_segments,
         giving(lambda found: found[::2]),
     ),
-    "contact segments: right, but each one many times": (
+    "contact segments: right, but each one is repeated many times": (
         segments.find_contact_segments,
         giving(lambda found: found * 12),
     ),
-    "squares that are known to be overlapped: one stretch too many is left out": (
+    "squares in O: one segment too many is dropped": (
         cover.leave_out_covered,
         giving(lambda found: found[:-1]),
     ),
-    "crossings: none is found": (
+    "crossings: none are found": (
         crossings.record_crossing,
         lambda right: lambda first, second, bits: None,
     ),
-    "swept area: of several places that are not swept only the first": (
+    "swept area: only the first of several unswept holes": (
         any_shape.ShapeSolution,
         keep_first_unswept,
     ),

@@ -82,7 +82,7 @@ class Journal:
         whole, most = 0, get_limits().max_bytes
         for number, line in enumerate(iter(lambda: self._file.readline(most), b""), start=1):
             is_cut = not line.endswith(b"\n") and len(line) < most
-            # A file without a complete line may be no journal.
+            # A file without a complete line may not be a journal.
             if is_cut and (number > 1 or _line(head).startswith(line)):
                 break
             try:

@@ -83,9 +83,9 @@ def conform(
         function: takes the directrix and the generatrix, each a list of (x, y), or a list of rings
             if `shapes` is "any"; and the reference point (x, y). If "minkowski_sum" is the only
             question, it takes a and b instead. Coordinates are int, float or Fraction, depending on
-            `numbers`. It returns the members of an answer of the protocol without the id, or its
-            only member, with vertices of any type that `make_plain` reads. An exception is a crash;
-            NotImplementedError means unsupported.
+            `numbers`. It returns an answer as in the protocol, without the id; an answer with one
+            member may also be the value of that member. Vertices may have any type that
+            `make_plain` reads. An exception is a crash; NotImplementedError means unsupported.
         cases: the cases to judge.
         name: the name of the program.
         loops: as for `Hello`, like the next four.
