@@ -46,7 +46,7 @@ def describe_environment(effort: Effort) -> dict[str, Any]:
 
 
 def _commit() -> str | None:
-    """Return the commit of a checkout, followed by "+" if it is modified; None outside a checkout."""
+    """Return the commit, with "+" if the checkout is modified; None outside a checkout."""
     command = ["git", "-C", str(Path(__file__).parent), "describe", "--always", "--dirty=+"]
     try:
         found = subprocess.run(
