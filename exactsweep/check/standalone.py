@@ -719,7 +719,7 @@ def prove(certificate: Any, max_steps: float | None = None) -> str:
     need(type(claim) is str and claim in PROVERS, f"claim: none of {', '.join(PROVERS)}")
     form, prover = PROVERS[claim]
     found = read("", certificate, form)
-    text = json.dumps({**certificate, "area": None}, ensure_ascii=False)  # no longer than the file
+    text = json.dumps({**certificate, "area": None}, ensure_ascii=False)  # escapes are longer
     WORK.set([max_steps or max(MAX_STEPS, STEPS_PER_BYTE * len(text)), 1.0])
     level([(10 ** max(map(len, re.findall("[0-9]+", text))), 0, 1)])
     return str(prover(found))
