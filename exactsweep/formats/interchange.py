@@ -221,6 +221,10 @@ def to_sympy(polygon: Polygon) -> sympy.Polygon:
 
     sympy detects collinear vertices in floating point. Raises FormatError if it would drop
     vertices.
+
+    >>> triangle = Polygon([(0, 0), (1, 0), (0, "1/3")])
+    >>> from_sympy(to_sympy(triangle)) == triangle
+    True
     """
     import sympy
 

@@ -124,7 +124,7 @@ class PointSet:
         low, high = map(write_pair, self.bounding_box)
         facts = [
             ("vertices", str(len(self))),
-            ("holes", str(len(self.holes))),
+            *([("holes", str(len(self.holes)))] if self.holes else []),
             ("area", abridge(self.area)),
             ("convex", "yes" if self.is_convex else "no"),
             ("from", low),
