@@ -176,7 +176,9 @@ def _require_same(right: Any, found: JsonNode) -> None:
         for name, value in found.value.items():
             if name not in right and (name not in defaults or value not in (None, defaults[name])):
                 known = (*right, *defaults)
-                raise CaseError(f"{found.path} has {quote(name)}{suggest(name, known)}")
+                raise CaseError(
+                    f"{found.path} has an unknown key {quote(name)}{suggest(name, known)}"
+                )
         return
     value = found.value
     if isinstance(right, list) and isinstance(value, list) and len(right) == len(value):

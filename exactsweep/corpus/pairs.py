@@ -127,7 +127,7 @@ def _make_pair(document: dict[str, object], name: str) -> Case:
     members = (form.directrix_key, form.generatrix_key, "reference", "id", *form.others)
     for member in document:
         if member not in members:
-            raise FormatError(f"$ has {quote(member)}{suggest(member, members)}")
+            raise FormatError(f"$ has an unknown key {quote(member)}{suggest(member, members)}")
     for role in (form.directrix_key, form.generatrix_key):
         if role not in document:
             raise FormatError(f"$ has no {role}")

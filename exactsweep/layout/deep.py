@@ -39,7 +39,7 @@ def find_deep_point(a: Solid, b: Solid) -> Point | None:
         for k in range(_MAX_MOVES + 1):
             if _is_deep(point, a) and _is_deep(point, b):
                 return a.to_point(*point)
-            # The middle of a chord may be near its own line: center it across.
+            # The midpoint may be close to an end of the perpendicular chord: center it there, too.
             axis = 1 - k % 2
             middle = _halve(*_find_chord(boundary, point, axis))
             point = (point[0], middle) if axis else (middle, point[1])

@@ -86,15 +86,15 @@ def test_holes_may_have_separate_keys(tmp_path: Path) -> None:
 def test_unknown_members_of_a_pair_are_rejected(tmp_path: Path, name: str) -> None:
     path = write(tmp_path, json.dumps({**LINES[0], name: []}))
     for read in (lambda: [*read_pairs(path)], lambda: read_case(path)):
-        with pytest.raises(FormatError, match=re.escape(f"$ has '{name}'")):
+        with pytest.raises(FormatError, match=re.escape(f"$ has an unknown key '{name}'")):
             read()
     data = case_to_json(find_case("fits-square"))
     write(tmp_path, json.dumps({**data, name: []}))
-    with pytest.raises(ValueError, match=re.escape(f"$ has '{name}'")):
+    with pytest.raises(ValueError, match=re.escape(f"$ has an unknown key '{name}'")):
         read_case(path)
     data["expected"][f"{name}s"] = []
     write(tmp_path, json.dumps(data))
-    with pytest.raises(ValueError, match=re.escape(f"$.expected has '{name}s'")):
+    with pytest.raises(ValueError, match=re.escape(f"$.expected has an unknown key '{name}s'")):
         read_case(path)
 
 
@@ -152,7 +152,10 @@ def test_a_sum_is_a_pair_whose_second_summand_is_reflected(tmp_path: Path) -> No
         ("[[0, 0], [1, 0], [2, 0]]", "0: zero area"),
         ('{"directrix": 1}', "line 1: $ has no generatrix"),
         ('\n{"directrix": 1, "generatrix": 2}', "line 2: directrix: $ is '1'"),
-        ('{"directrix": [], "generatrx": []}', "line 1: $ has 'generatrx'; did you mean 'gen"),
+        (
+            '{"directrix": [], "generatrx": []}',
+            "line 1: $ has an unknown key 'generatrx'; did you mean 'gen",
+        ),
         (json.dumps({**LINES[0], "reference": 3}), "line 1: $.reference[0] is '3', not a pair"),
         (json.dumps({**LINES[0], "id": []}), "line 1: $.id is a list, not a string or a number"),
         (json.dumps({**LINES[0], "generatrix": [[0, 0], [1, 1]]}), "line 1: generatrix: "),

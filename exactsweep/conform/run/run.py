@@ -144,7 +144,7 @@ class Run:
             self._faults.setdefault(name, NamedFault(outcome.verdict, name)).add([outcome])
 
     def list_faults(self) -> list[NamedFault]:
-        """List the failures by fault, worst verdict first; a common diagnosis leads in each."""
+        """List failures by fault, worst verdict first; a common diagnosis comes first in each."""
         cause = self.summary.find_cause()
         found: dict[str, NamedFault] = {}
         for fault in self._faults.values():
