@@ -87,7 +87,7 @@ def cut_regions(items: Any) -> list[Any]:
 def _cut(rings: list[RationalRing]) -> list[RationalRing]:
     unit = lcm(*(n.denominator for points in rings for p in points for n in p))
     scaled = [[(int(x * unit), int(y * unit)) for x, y in points] for points in rings]
-    with suppress(Exception):  # rings that meet themselves cannot be cut
+    with suppress(Exception):  # rings that touch or cross themselves cannot be cut
         found = cut_to_convex(scaled)
         return [[(Fraction(x, unit), Fraction(y, unit)) for x, y in piece] for piece in found]
     return []

@@ -118,7 +118,7 @@ def test_tables_are_charged_by_line() -> None:
         dxf(*([polyline((0, 0), (1, 0), (0, 1))] * 5)),
     ],
 )
-def test_a_text_fits_its_measured_limit(text: str) -> None:
+def test_text_fits_its_measured_limit(text: str) -> None:
     with limits(max_mib=measure_written(text) / 2**20):
         assert parse_regions(text)
 

@@ -101,7 +101,7 @@ def count_parts(text: str) -> int:
 
 
 @pytest.mark.parametrize("form", FORMATS)
-def test_truncated_texts_are_read_or_rejected(form: str) -> None:
+def test_truncated_files_are_read_or_rejected(form: str) -> None:
     region = Region([(0, 0), (40, 0), (40, 30), (0, 30)], [[(1, 1), (20, 1), (1, "20.5")]])
     text = format_polygons([NamedRegion(region, "a"), region], form)
     parts = [count_parts(text[:k]) for k in range(0, len(text), 3)]

@@ -50,7 +50,7 @@ def refuse(text: str) -> None:
 
 
 @pytest.mark.parametrize("text", TEXTS.values(), ids=TEXTS)
-def test_long_texts_are_rejected_in_linear_time(text: Callable[[int], str]) -> None:
+def test_long_strings_are_rejected_in_linear_time(text: Callable[[int], str]) -> None:
     require_linear(lambda n: refuse(text(n)))
 
 
