@@ -23,7 +23,7 @@ PARQUET, CSV = ".parquet", ".csv"
 
 
 class Output:
-    """The records of a batch; those of an earlier run are kept unless `restart`."""
+    """The records of a batch; records of an earlier run are kept unless `restart`."""
 
     def __init__(self, path: str, job: Job, *, restart: bool = False) -> None:
         self.path, self.job = Path(path), job

@@ -22,7 +22,7 @@ class Part(NamedTuple):
 def read_parts(path: str, tolerance: object = None, **options: Unpack[Options]) -> tuple[Part, ...]:
     """Read a part list; an invalid polygon affects only its own pairs.
 
-    The arguments are those of `exactsweep.formats.read_regions`; the path may also be a folder or a
+    Takes the arguments of `exactsweep.formats.read_regions`; the path may also be a folder or a
     pattern. Raises FormatError if no file can be read.
 
     Example:

@@ -73,7 +73,7 @@ def _line(record: Mapping[str, Any], number: Callable[[Fraction], str] = quote_f
 
 
 def round_values(values: Mapping[str, Any], rounding: Rounding) -> dict[str, Any]:
-    """Round the columns of a record; areas are those of the exact loops.
+    """Round the columns of a record; areas refer to the exact loops.
 
     For outward rounding, the trajectory, the outer loop and the exterior grow, all other loops
     shrink or vanish, and exact fits that would move are dropped.

@@ -38,8 +38,8 @@ class Work:
     """The data of a batch, sent once to every worker."""
 
     what: Quantities
-    generatrices: Sequence[Part]  # the moving parts, or those that a file of pairs may name
-    directrices: Sequence[Part]  # the fixed parts, or the same ones
+    generatrices: Sequence[Part]  # the moving parts, or all parts that a file of pairs may name
+    directrices: Sequence[Part]  # the fixed parts; for a file of pairs, also all parts
     rounding: Rounding | None = None
     limits: Limits = field(default_factory=get_limits)
 

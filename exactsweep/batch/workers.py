@@ -1,4 +1,4 @@
-"""Workers: local processes, or those of a Dask cluster."""
+"""Local worker processes and Dask workers."""
 
 from __future__ import annotations
 

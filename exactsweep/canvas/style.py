@@ -27,7 +27,7 @@ PALETTE = (BLUE, RED, GREEN, PURPLE, ORANGE, SKY, BLACK)
 _DATA: dict[str, Any] = tomllib.loads(
     files("exactsweep.canvas").joinpath("style.toml").read_text(encoding="utf-8")
 )
-# Colors on a light and on a dark background; those of another program's answer suit both.
+# Colors on a light and on a dark background; the colors of an external answer suit both.
 LIGHT: dict[str, str] = _DATA["light"]
 DARK: dict[str, str] = _DATA["dark"]
 JUDGED: dict[str, str] = _DATA["judged"]

@@ -1,4 +1,4 @@
-"""Judging of layouts from files, with finer flattening of curves where the verdict is undecided.
+"""Verdicts on layouts in files; curves are flattened more finely where undecided.
 
 (1) Of the shapes in an undecided fault, only those with the greatest error are flattened again. A
     part has one error, so all of its curves become finer.

@@ -106,7 +106,7 @@ class _Outputs(NamedTuple):
         "--spacing",
         callback=checked(to_gap),
         metavar="DISTANCE",
-        help="Minimum distance between parts; default: that of the file, or 0.",
+        help="Minimum distance between parts; default: as in the file, or 0.",
     ),
     click.option(
         "--margin",

@@ -56,7 +56,7 @@ class Case(AnsweredPair):
             directrix: D, a Polygon, a Region or vertices as for `Polygon`, which are kept.
             generatrix: G, in any of these forms.
             reference: the reference point of G.
-            flags: flags in addition to those of `find_flags`.
+            flags: flags besides the results of `find_flags`.
             directrix_holes: the holes of D, unless it is a Region.
             generatrix_holes: the holes of G, unless it is a Region.
             inner_fit: whether to compute the positions of G inside D for any class.

@@ -52,8 +52,8 @@ def read_pairs(path: str, tolerance: object = None, **options: Unpack[Options]) 
 
     The file has JSON lines as for `read_case`, one such object over several lines, or polygons in
     any format of `parse_regions`, of which all ordered pairs are cases. A line without an id
-    gets the id "pair-NUMBER", a pair of polygons their names or indices, D first, as in
-    "plate/disc". The tolerance and the options are those of `parse_regions`.
+    gets the id "pair-NUMBER"; a pair of polygons gets their names or indices, D first, as in
+    "plate/disc". For the tolerance and the options see `parse_regions`.
     """
     if path == "-":
         # The text is parsed twice.
@@ -144,7 +144,7 @@ def _make_pair(document: dict[str, object], name: str) -> Case:
 
 
 def _read_shape(document: dict[str, object], role: str) -> PointRings:
-    """Read a polygon with its own holes, or those of the member ROLE_holes."""
+    """Read a polygon with its own holes, or with the holes in the member ROLE_holes."""
     given = document[role]
     if isinstance(given, dict) and "path" in given:
         raise FormatError(f"$.{role}: a case cannot have a path, only polygons")

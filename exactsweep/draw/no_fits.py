@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 
 
 class Positions(NamedTuple):
-    """The contents of a picture; `names` are those of both shapes and of the free regions."""
+    """The contents of a picture; `names` are for both shapes and the free regions."""
 
     directrix: Region
     generatrix: Region

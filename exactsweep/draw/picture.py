@@ -87,7 +87,7 @@ class Picture:
     def shape(
         self, rings: Iterable[Iterable[Vertex]], look: Look, label: str | None = None
     ) -> None:
-        """Fill the first loop except for the others, all of which are counter-clockwise."""
+        """Fill the first loop without the following loops, all of them counter-clockwise."""
         from matplotlib.patches import PathPatch
         from matplotlib.path import Path
 

@@ -42,7 +42,7 @@ class Certified:
     def certificate(self) -> dict[str, Any]:
         """Return plain JSON data that proves the answer to `check/standalone.py`.
 
-        `check/CERTIFICATES.md` describes the format. Positions are those of the moving polygon's
+        `check/CERTIFICATES.md` describes the format. Positions refer to the moving polygon's
         origin. Raises PolygonError for placed or attached shapes and for a NoFitUnion. Cost: as
         for `evidence.proof.add_proof`.
 

@@ -203,7 +203,7 @@ def _nest(rings: Sequence[Polygon | None]) -> _Nesting:
     crossings: dict[int, tuple[int, int]] = {}
     groups: dict[int, list[int]] = {}
     for place, k in enumerate(order):
-        # From small to large, skipping those known to contain the first one.
+        # From small to large, skipping outlines known to contain the first one found.
         chain: set[int] = set()
         around: list[int] = []
         for i in sorted((i for i in rows.find(boxes[place]) if i < place), reverse=True):

@@ -21,7 +21,7 @@ from exactsweep.geometry.reading import to_lattice
 from exactsweep.geometry.vectors import angle_key, compare_angles, intersect, minus, orientation
 from exactsweep.numbers.number import Edge, Point, Rational, Vertex
 
-MAX_PAIRS = 5_000_000  # of nearby edges; each cut of an edge counts as 20
+MAX_PAIRS = 5_000_000  # pairs of nearby edges; each cut of an edge counts as 20 pairs
 Rule = Literal["nonzero", "evenodd", "positive"]
 _IS_FILLED: dict[Rule, Callable[[int], bool]] = {
     "nonzero": lambda number: number != 0,

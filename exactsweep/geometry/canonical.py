@@ -18,7 +18,7 @@ class PolygonError(ExactSweepError):
 class CanonicalRing(NamedTuple):
     """A canonical ring: counter-clockwise, only corners, lexicographically least vertex first.
 
-    `vertex_index` and `edge_index` map its vertices and edges to those of the input; `monotone`
+    `vertex_index` and `edge_index` map its vertices and edges to input indices; `monotone`
     refers to the X axis.
     """
 

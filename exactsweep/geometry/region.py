@@ -103,7 +103,7 @@ class Region(PointSet):
     def lattice(self) -> tuple[int, tuple[tuple[Vertex, ...], ...]]:
         """Return `(scale, rings)`, the region on the coarsest integer lattice that contains it.
 
-        The rings have the interior on the left. The scale is that of `Polygon.lattice`.
+        The rings have the interior on the left. The scale is as in `Polygon.lattice`.
 
         Example:
             >>> Region([(0, 0), (3, 0), (0, 3)], [[("1/2", 1), (1, "1/2"), (1, 1)]]).lattice()[1]

@@ -4,9 +4,9 @@ The proof of a valid layout consists of convex pieces, and a separating normal f
 pieces with close boxes. The proof of a fault is a point.
 
 (1) Rings with the interior on the left bound a shape if their winding number is 0 or 1 everywhere.
-    The winding number of a point is the number of upward edges to its right, minus that of downward
-    edges; an edge includes its lower end, but not its upper one. At a point on an edge, this is the
-    winding number to the right of the edge. Each face is to the right of some edge.
+    The winding number of a point is the number of upward minus downward edges to its right; an edge
+    includes its lower end, but not its upper one. At a point on an edge, this is the winding number
+    to the right of the edge. Each face is to the right of some edge.
 """
 
 from collections.abc import Iterator, Sequence

@@ -39,7 +39,7 @@ class Fault:
         number: the number of missing or surplus placements.
         distance_squared: the squared distance, for "too close".
         bound: a bound on the errors that irrational rotations and flattened curves cause in both
-            solids. The fault is proved for the true rotations and curves; `move` may be off by it.
+            solids. The fault holds for the true rotations and curves; `move` may be off by this.
         error: the part of the bound due to flattened curves.
         wall: the obstacle of a fault with one placement, an index in `Board.obstacles`.
     """

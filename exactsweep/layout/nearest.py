@@ -84,7 +84,7 @@ def _is_far(line: Edge, edge: Edge, n: Rational, d: Rational) -> bool:
 class NearestPair(NamedTuple):
     square: Fraction  # rounded up with relative error at most 2^-63 if irrational
     placements: tuple[int, int]
-    points: tuple[Point, ...]  # the nearest ones; for overlapping parts, a point inside both
+    points: tuple[Point, ...]  # the nearest points; for overlapping parts, a point inside both
 
 
 def find_nearest_pair(board: Board, touching: tuple[int, int] | None) -> NearestPair | None:

@@ -148,7 +148,7 @@ def _find_rounded_move(
 
     If the first step frees the solids, it is their shortest move, with relative error at most 2^-60
     if irrational. Return None if the steps do not end, or for a container that has defects, is not
-    rounded, or has a radius less than that of a piece plus `room`.
+    rounded, or has a radius less than a piece's radius plus `room`.
     """
     k, move = placements[-1], ORIGIN
     if len(placements) > 1:

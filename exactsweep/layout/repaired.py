@@ -31,7 +31,7 @@ _ROUNDS, _SINGLE_ROUNDS, _SWEEPS, _UPDATES = 24, 3, 4000, 4 * 10**6
 # Relative extra room for faults, so that rounded moves are free, and the share of it that sweeps
 # and rounding may use.
 _MORE, _NEARLY = Fraction(1, 2**7), Fraction(1, 2**3)
-# Overlaps are deep beyond this share of the smallest part.
+# Overlaps deeper than this fraction of the smallest part's size are repaired singly.
 _DEEP = Fraction(1, 2**6)
 # Other pieces within this multiple of the deepest overlap must stay apart.
 _REACH = 8
@@ -116,7 +116,7 @@ def _move(layout: Layout, moves: dict[int, Point]) -> Layout:
 
 
 def _list_conditions(judgement: Judgement) -> tuple[list[_Condition], list[_Condition]]:
-    """List the conditions of faults and, if none is deep, those of other nearby pieces."""
+    """List the conditions of faults and, if none is deep, of other nearby pieces."""
     board, faults = judgement._board, judgement.faults
     found = [
         one for f in faults for one in _list_piece_conditions(board, f.placements, Fraction(0))
@@ -172,7 +172,7 @@ def _make_condition(at: tuple[int, ...], x: Fraction, y: Fraction, length: Fract
 
 
 def _add_moves(one: _Condition, moves: dict[int, Point], more: Fraction) -> _Condition:
-    """Convert a condition on further moves to one on total moves, longer by `more`."""
+    """Add the previous moves to a condition on further moves, and lengthen it by `more`."""
     x, y = moves.get(one.placements[-1], ORIGIN)
     if len(one.placements) > 1:
         before = moves.get(one.placements[0], ORIGIN)

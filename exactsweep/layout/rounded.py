@@ -195,7 +195,7 @@ class HullDistance(NamedTuple):
 
     n: Rational
     d: Rational
-    points: tuple[Vertex, Vertex] | None  # the nearest ones, equal if the hulls touch
+    points: tuple[Vertex, Vertex] | None  # the nearest points, equal if the hulls touch
     normal: Vertex  # the direction of the shortest move of the second hull to contact
 
 

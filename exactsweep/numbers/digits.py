@@ -1,6 +1,6 @@
 """Conversion of numbers to and from text, with ints of any length.
 
-Python's conversions between int and str reject more than 4300 digits; those of Decimal do not.
+Python's conversions between int and str reject more than 4300 digits; Decimal has no limit.
 """
 
 import re
@@ -161,7 +161,7 @@ def is_float(value: Fraction) -> bool:
 
 
 def format_rounded(value: Fraction | int, spec: str) -> str:
-    """Format a number by a float format specifier, rounding once; ValueError for another one.
+    """Round once to a float format specifier; raise ValueError for other specifiers.
 
     >>> format_rounded(Fraction(2, 3), ".3f"), format_rounded(Fraction(10**40, 3), ".2e")
     ('0.667', '3.33e+39')

@@ -179,7 +179,7 @@ def reference_exact_fits(
     G lies either below or above D on all of it, since the cross-sections of a polygon on both sides
     of any x share an interior point. From below, the heights form a half-open interval (T, limit].
 
-    Arguments and errors are those of `reference_loops`.
+    Arguments and errors are as for `reference_loops`.
 
     Returns:
         sorted pairs of Point: the end on the trajectory and the inner end.

@@ -30,10 +30,10 @@ BOUNDS: dict[str, Bound] = {
 M_PLUS_N, MN, MN_LOG = (BOUNDS[name] for name in ("m + n", "mn", "mn log n"))
 
 LIMITS = {"seconds": 0.6, "bytes": 0.5}
-"""Maximum excess of a measured exponent over that of the bound.
+"""Maximum excess of a measured exponent over the exponent of the bound.
 
 A missing factor m or n shows as 1. The exponent of seconds uses the three largest sizes, which
-exceed the caches; that of bytes uses all sizes, since ints grow with the coordinates.
+exceed the caches; the exponent of bytes uses all sizes, since ints grow with the coordinates.
 """
 
 FALL = 0.1
@@ -62,8 +62,8 @@ class Growth:
     Attributes:
         what: the counted quantity and its procedure, as in "seconds of SweepO_CM".
         limit: if at least 1, the factor by which the ratio may rise in the last doubling; if less,
-            the maximum excess of the exponent over that of the bound. Measured quantities use
-            `LIMITS` by default.
+            the maximum excess over the exponent of the bound. Measured quantities use `LIMITS` by
+            default.
         side: the kind of bound, "upper", "lower" or "both".
     """
 

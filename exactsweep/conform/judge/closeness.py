@@ -2,7 +2,7 @@
 
 Two regions E and T are closer than a bound r if
 
-    (1)  every point of the boundary of E is closer than r to that of T, and conversely; and
+    (1)  every point of E's boundary is closer than r to T's boundary, and conversely; and
     (2)  every point in exactly one of them is closer than r / 2 to one of the boundaries,
 
 in the maximum norm, which keeps all numbers rational. Moving each vertex by less than r changes a

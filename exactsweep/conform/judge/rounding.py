@@ -17,7 +17,7 @@ Change = Callable[[Fraction], Fraction]
 _MAX_DECIMALS = 12
 _DIGITS = range(3, 16)
 _WIDTHS = (32, 64, 16, 8)
-# The least numbers that round to infinity, in single precision through a double.
+# The least numbers that round to infinity as doubles, and as singles after rounding to double.
 BEYOND = Fraction(2**1024 - 2**970)
 _BEYOND_SINGLE = Fraction(2**128 - 2**103 - 2**74)
 

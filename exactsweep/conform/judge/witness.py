@@ -40,7 +40,7 @@ NAME = "exact_fits"
 INSIDE = "inner_exact_fits"
 SUM = "minkowski_sum"
 PART_NAMES = {**LOOP_NAMES, NAME: "exact fits", INSIDE: "exact fits inside"}
-# The exact fits of loops of positions; those of a sum are its slits.
+# The exact fits of loops of positions; a sum's exact fits are its slits.
 FITS_OF = {"trajectory": NAME, "no_fit": NAME, SUM: NAME, "inner_fit": INSIDE}
 _DOES = {
     "FREE": "does not touch D",

@@ -40,7 +40,7 @@ class Outcome:
     parts: tuple[Mapping[str, Any], ...] = ()  # by `PartComparison.to_json`
     case: Mapping[str, Any] | None = None  # the adapted case by `case_to_json`
     result: Mapping[str, Any] | None = None  # the answer; None if it is too long
-    stderr: str = ""  # its end, if the program failed
+    stderr: str = ""  # the last lines, if the program failed
 
     def to_json(self) -> dict[str, Any]:
         """Return plain data without empty members."""

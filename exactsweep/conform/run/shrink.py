@@ -24,7 +24,7 @@ class ShrinkError(ExactSweepError):
 
 
 class _GivenPair(NamedTuple):
-    """A pair as given: the rings of D, `split` of them, those of G, and the reference point."""
+    """A pair as given: `split` rings of D, then the rings of G, and the reference point."""
 
     rings: tuple[Loop, ...]
     split: int

@@ -43,7 +43,7 @@ class Family(NamedTuple):
     name: str
     level: str  # "easy", "degenerate", "numeric", "large" or "any shape"
     make: Callable[[Prng], Any]  # draws G and D, as lists of pairs of numbers or as Regions
-    flags: tuple[str, ...] = ()  # of all cases, in addition to those of `find_flags`
+    flags: tuple[str, ...] = ()  # of all cases, besides the results of `find_flags`
     respelled: bool = False  # whether the vertices stay as generated instead of canonical
 
     @property

@@ -48,7 +48,7 @@ def draw_layouts(
         try:
             outlines += [] if one.fault else one.split(remarks)
         except PolygonError:
-            # The judge reports the shape.
+            # Keep the invalid shape; the judge reports it.
             outlines.append(one)
     if not outlines:
         raise FormatError(plain[0].fault)
@@ -110,7 +110,7 @@ def _list_open(outlines: Sequence[Candidate], parts: Sequence[Candidate]) -> lis
 
 
 def _is_on(shape: Candidate, part: Candidate) -> bool:
-    """Return whether all points of an open shape lie on a part; those of an outline do not."""
+    """Return whether all points of an open shape lie on a part; False for outlines."""
     # A hole on the layer of the shape, not on that of the part, is engraving.
     holes = [h for h in part.holes() if h.layer in (None, part.layer) or h.layer != shape.layer]
     rings = [ring.vertices() for ring in (part, *holes)]

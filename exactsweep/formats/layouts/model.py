@@ -19,14 +19,14 @@ from exactsweep.numbers.number import Point
 _INDEX = re.compile(r"\[\d+\]")
 
 IDENTITY_PLACEMENT: Data = {"turn": "0", "move": ["0", "0"]}  # the identity placement
-# Flattens some parts, by id, and the container, by None, at another tolerance, if possible.
+# Flattens parts (by id) and the container (None) at another tolerance, if possible.
 Flatten = Callable[[Collection[str | None], Fraction], Mapping[str | None, Data]]
 
 
 class FoundLayout(NamedTuple):
     """A layout read from a file."""
 
-    name: str  # among several; "" for the only one
+    name: str  # "" if the file has a single layout
     data: Data  # Layout JSON, for `exactsweep.layout.Layout.from_json`
     notes: tuple[str, ...] = ()
     unchecked: tuple[str, ...] = ()  # rules and shapes that are not judged

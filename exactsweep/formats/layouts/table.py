@@ -47,7 +47,7 @@ class _Row(NamedTuple):
 
 
 def is_table(text: str) -> bool:
-    """Return whether the column names are those of a table of placements."""
+    """Return whether the column names belong to a table of placements."""
     if text.lstrip()[:1] in "{<":
         return False
     try:

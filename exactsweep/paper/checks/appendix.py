@@ -114,7 +114,7 @@ def find_contact_moving_left(effort: Effort) -> Iterator[Observation]:
 
 
 def describe_meeting(first: Sequence[Vertex], second: Sequence[Vertex]) -> tuple[str, bool]:
-    """Describe how two chains share more than a point or segment; also return if they meet."""
+    """Describe how two chains share more than a point or segment; return whether they meet."""
     gaps = functions.list_gaps(first, second)
     zeros = [x for x, gap in gaps if gap == 0]
     zeros += [
