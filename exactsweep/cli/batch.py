@@ -94,7 +94,7 @@ def batch_command(
     PAIRS contains one JSON line per pair, {"generatrix": ..., "directrix": ...}, optionally with
     "id", "direction" and "reference". A polygon is any JSON that 'exactsweep sweep' reads, or the
     name of a polygon in --parts. With --all, each polygon of GENERATRICES is swept around each of
-    DIRECTRICES. A folder stands for all files in it. Polygons are named by file, layer and id.
+    DIRECTRICES. A folder selects all files in it. Polygons are named by file, layer and id.
     Standard error lists skipped elements.
 
     --round rounds all numbers to decimals; --round-outward rounds them so that no loop permits an

@@ -160,7 +160,7 @@ class Run:
         return (whole.get(bare.id) or bare.lead_with(cause) for bare in self.outcomes)
 
     def show(self) -> Iterator[Outcome]:
-        """Yield the failures kept in full, by fault, the smallest first."""
+        """Yield the failures stored in full, by fault, the smallest first."""
         for fault in self.list_faults():
             yield from fault.kept
 
