@@ -123,13 +123,13 @@ def _find_remaining(
     start, (at, end), covered = segment.low.as_integer_ratio(), segment.keys, False
     last: int | None = None
     for key, n, d, before, after, other_sides in sorted(segment.cuts):
-        if key == last or (is_two_sided and other_sides == BOTH):
+        if key == last or (is_two_sided and other_sides == BOTH):  # (3)
             meetings.add(find_point(line, n, d))
         last = key
         if key > at:
             if waiting:
                 remaining.append(waiting)
-            waiting = None if covered or before else (start, (n, d))
+            waiting = None if covered or before else (start, (n, d))  # (1)
             start, at, covered = (n, d), key, after
         else:
             waiting = None if before else waiting

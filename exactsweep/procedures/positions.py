@@ -78,6 +78,7 @@ def find_sum(stationary: Rings, moving: Rings, scale: int = 1) -> FreeBoundary:
     (ax, ay), (bx, by) = (min(chain.from_iterable(rings)) for rings in (stationary, moving))
     least = to_homogeneous(ax + bx, ay + by)
     free = find_free(*_prepare(segments, [stationary], [moving]), scale, least=least)
+    # O is connected.
     assert len(free.around) == 1
     return free
 
