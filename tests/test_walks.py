@@ -51,7 +51,7 @@ class Here:
 def make_trajectory(folder: Path) -> object:
     # Empty the caches, as before a first sweep.
     monotone.split_polygon.cache_clear()
-    return sweep(HOUSE, BLOCK).trajectory
+    return sweep(HOUSE, ARCH).trajectory
 
 
 def make_inner_loop(folder: Path) -> object:

@@ -81,14 +81,16 @@ def merge_by_slope(*chains: Chain) -> Chain:
 def subtrajectory(generatrix: ConvexPart, directrix: ConvexPart) -> Graph:
     """Compute T(G_i, D_j) of two facing convex parts, with its events (Table 1).
 
-    It is Trajectory_CC for the relevant edges of both. Vertex j of G moves an edge of D_b (VE);
-    vertex i of D_b moves an edge of G (EV). Cost: O(m + n).
+    It is Trajectory_CC for the relevant edges of both (see `ConvexPart`): each is translated by the
+    vertex of the other chain that it meets, an edge of D_b by vertex j of reversed G_t (VE), an
+    edge of reversed G_t by vertex i of D_b (EV). Cost: O(m + n).
     """
     gs, ds = generatrix.edges, directrix.edges
     i, i_end = bisect_left(ds, generatrix.least_slope), bisect_left(ds, generatrix.greatest_slope)
     j, j_end = bisect_left(gs, directrix.least_slope), bisect_left(gs, directrix.greatest_slope)
     edges = sorted(ds[i:i_end] + gs[j:j_end])
     i, j = i + directrix.first, j + generatrix.first
+    # Before each round, the position is the sum of vertices i and j.
     (x, y, w), (u, v, z) = directrix.vertices[i], generatrix.vertices[j]
     at = x * z + u * w, w * z
     start: VertexContact = (at[0], y * z + v * w, at[1]), i, j

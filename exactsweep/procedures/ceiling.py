@@ -8,7 +8,7 @@ initially infinity. The parts of both chains are tried in order of their lowest 
          heights at both borders bound it.
     (3)  A subtrajectory that is nowhere below the ceiling is also dropped.
 
-Heights are ints, rounded conservatively, so a dropped sum is nowhere below the envelope. Without
+Heights are ints, rounded conservatively, so a dropped subtrajectory is above the envelope. Without
 this step, trajectories of two zigzags take twice (64 vertices) or five times (256) as long.
 """
 
@@ -25,7 +25,7 @@ from exactsweep.procedures.chain import ConvexPart
 from exactsweep.procedures.graph import Graph, Ranges
 
 STRIPS = 8
-"""Number of strips per part of the shorter list; a sum crosses O(1) of them on average.
+"""Strips per part of the shorter list; a subtrajectory crosses O(1) of them on average.
 
 With 4 and 16, all loops of zigzags of 256 vertices took 1.6 and 0.9 times as long; those of
 staircases of 256 vertices, which have less to prune, took 1.0 and 1.15 times as long.
@@ -43,7 +43,7 @@ def subtrajectories(
     """
     count = STRIPS * min(len(generatrix_parts), len(directrix_parts))
     if ranges is None and count <= STRIPS**2:
-        # Bounding so few sums costs more than computing them.
+        # Bounding so few subtrajectories costs more than computing them.
         return cc.subtrajectories(generatrix_parts, directrix_parts)
     rows, columns = bound_all(generatrix_parts), bound_all(directrix_parts)
     left, right = min(row[1] for row in rows), max(row[2] for row in rows)
@@ -100,7 +100,8 @@ class Ceiling:
         heights, width = self.heights, self.width
         strip = self._find_strip(x // w)
         border = self.left + (strip + 1) * width
-        # The height at the last border, or at the left end, and the least height since.
+        # The height at the last border, or at the left end of the graph before the first border
+        # (not `begun`), and the least height since.
         height = lowest = y // w
         begun = below = False
         for dx, dy, c, _, ((x, y, w), _, _) in graph.pieces:

@@ -4,6 +4,9 @@ An X-monotone polygon has a bottom chain and a top chain (Figure 2). The inverse
 bottom chain. So every `Chain` runs from left to right and bounds a region above it. It may have
 vertical edges (weak monotonicity). All numbers are ints: vertices have homogeneous coordinates.
 
+`inverse`, `reverse` and `complement` are the operators of the paper, on lists of points. The
+procedures need only `inverse`, and `Chain.half_turn` for the complement.
+
 Errata. The paper calls a chain convex if a straight edge closes it to a convex polygon. Lemma 3.1
 needs one side only: here a convex chain turns left at every vertex. The paper measures slopes
 "clockwise" but means counter-clockwise.
@@ -31,7 +34,11 @@ Line = tuple[int, int, int]
 """(dx, dy, c): the points with dx y = dy x + c, dx >= 0."""
 
 SlopedEdge = tuple[int | float, int, int, int, int]
-"""(slope, 0 for D_b or 1 for reversed G_t, dx, dy, c): an edge with its line, sorted by slope."""
+"""(slope, owner, dx, dy, c): an edge with its line, sorted by slope.
+
+    slope  rounded down to an int in units (`Chain.unit`); infinite if vertical
+    owner  0 for D_b, 1 for reversed G_t
+"""
 
 SlopeBound = tuple[int | float, ...]
 """(slope,), before all edges of that slope, or (slope, infinity), after them."""
@@ -50,7 +57,7 @@ class Chain:
 
     def __init__(self, vertices: list[HomogeneousPoint]) -> None:
         self.vertices = vertices
-        self._parts: dict[tuple[int, int], list[ConvexPart]] = {}
+        self.cached_parts: dict[tuple[int, int], list[ConvexPart]] = {}
 
     @classmethod
     def of(cls, points: Sequence[Vertex]) -> Chain:
@@ -68,11 +75,12 @@ class Chain:
 
     @cached_property
     def lines(self) -> list[Line]:
-        """The lines of the edges, with small numbers; dx = 0 if vertical."""
+        """The lines of the edges; dx = 0 if vertical."""
         found: list[Line] = []
         for (px, py, pw), (qx, qy, qw) in pairwise(self.vertices):
             dx, dy, c = qx * pw - px * qw, qy * pw - py * qw, py * qx - px * qy
             if pw * qw > 1:
+                # Denominators have made the numbers long.
                 common = gcd(dx, dy, c)
                 dx, dy, c = dx // common, dy // common, c // common
             found.append((dx, dy, c))
@@ -82,8 +90,9 @@ class Chain:
     def unit(self) -> int:
         """A number u such that slopes of the edges, rounded down to multiples of 1/u, keep order.
 
-        Different slopes dy/dx with dx <= w differ by at least 1/w^2. With few units, chains can
-        share their cached parts.
+        Different slopes dy/dx with dx < 2^b differ by more than 1/2^(2b), so 2^(2b) suffices. The
+        length b is rounded up to a multiple of 16: with few units, the cached parts of a chain
+        serve for nearly all other chains.
         """
         return 1 << -(-max(dx for dx, _, _ in self.lines).bit_length() // 16) * 32
 
@@ -96,7 +105,10 @@ class Chain:
         return iter(self.points)
 
     def half_turn(self) -> Chain:
-        """Return the complement of the chain (Definition 5.2) after a half turn. Cost: O(n)."""
+        """Return the complement of the chain (Definition 5.2) after a half turn. Cost: O(n).
+
+        So the other side of a bottom chain becomes a bottom chain.
+        """
         return Chain([(-x, -y, w) for x, y, w in reversed(self.vertices)])
 
 
@@ -182,10 +194,11 @@ def take_corners(vertices: Iterable[V]) -> list[V]:
 class ConvexPart(NamedTuple):
     """A convex part of a chain, between reflex vertices, vertical edges or ends of the chain.
 
-    If an edge of G slid over a reflex vertex of D_b, G would overlap D. So along a part of D_b, the
-    relevant edges of G are those with slopes between the slopes of the part, and vice versa. At an
-    end of the chain, and at a vertical edge up to the neighbor, G may leave the part, so all
-    slopes beyond those of the part are relevant as well.
+    The paper slides all of G_t along each part of D_b. Here, only *relevant* edges move along a
+    part. If an edge of G slid over a reflex vertex of D_b, G would overlap D. So along a part of
+    D_b, the relevant edges of G are those with slopes between the slopes of the part, and vice
+    versa. At an end of the chain, and at a vertical edge that leads up from the part, G may leave
+    the part, so all slopes beyond those of the part are relevant as well.
 
     Attributes:
         vertices: the vertices of the whole chain.
@@ -211,24 +224,25 @@ def partition(generatrix: Chain, directrix: Chain) -> tuple[list[ConvexPart], li
     return find_convex_parts(generatrix, unit, 1), find_convex_parts(directrix, unit, 0)
 
 
-def find_convex_parts(chain: Chain, unit: int, whose: int) -> list[ConvexPart]:
+def find_convex_parts(chain: Chain, unit: int, owner: int) -> list[ConvexPart]:
     """Cut a chain at its reflex vertices and vertical edges into convex parts. Cost: O(n).
 
-    Slopes are ints, in units of 1 / `unit`; `whose` is the second item of each `SlopedEdge`.
+    Slopes are ints, in units of 1 / `unit`; `owner` is that of each `SlopedEdge`.
     """
-    if known := chain._parts.get((unit, whose)):
+    if known := chain.cached_parts.get((unit, owner)):
         return known
     edges: list[SlopedEdge] = [
-        (dy * unit // dx if dx else inf if dy > 0 else -inf, whose, dx, dy, c)
+        (dy * unit // dx if dx else inf if dy > 0 else -inf, owner, dx, dy, c)
         for dx, dy, c in chain.lines
     ]
-    # Edges k - 1 and k, of slopes[k] and slopes[k + 1], meet in vertex k.
+    # Edges k - 1 and k, with the slopes b and a before and after, meet in vertex k.
     slopes = [-inf, *map(itemgetter(0), edges), inf]
     cuts = [k for k, (b, a) in enumerate(pairwise(slopes)) if not -inf < b <= a < inf]
     parts: list[ConvexPart] = []
     for first, last in pairwise(cuts):
         if chain.lines[first][0]:
+            # The slope beyond an end counts only if it is infinite and extends those of the part.
             bounds = (min(slopes[first : first + 2]),), (max(slopes[last : last + 2]), inf)
             parts.append(ConvexPart(chain.vertices, first, edges[first:last], *bounds))
-    chain._parts[unit, whose] = parts
+    chain.cached_parts[unit, owner] = parts
     return parts

@@ -71,6 +71,7 @@ class Graph:
                 # Successive edges of one subtrajectory: no arithmetic is needed.
                 vertices.append(start[0])
             elif any(subtract(before, after)):
+                # One vertex where the lines cross, two at a jump.
                 vertices += dict.fromkeys((find_point(before, at), find_point(after, at)))
         vertices.append(find_point(self.pieces[-1], self.breaks[-1]))
         return Chain(vertices)
@@ -96,15 +97,16 @@ def find_crossing(a: int, b: int) -> Break:
     return (-b, a) if a > 0 else (b, -a)
 
 
-# LowerEnvelope_CM. P is the partial trajectory with pieces P_i, S the subtrajectory with pieces
-# S_j. The walk goes from right to left, from the lesser right end of P and S. Before each round,
-# with x the lesser right end of P_i and S_j,
+# LowerEnvelope_CM. P is the partial trajectory, S the subtrajectory; P_i is pieces[i], and S_j is
+# other_pieces[j]. The walk goes from right to left, from the lesser right end of P and S. Before
+# each round, with x the lesser right end of P_i and S_j,
 #
 #     (1)  right of x, P is above S wherever both are defined.
 #
 # Let x' be the greater left end of P_i and S_j.
 #
-#     (2)  P_i <= S_j at x: S takes over at x. P has a step there, or the walk has just begun.
+#     (2)  P_i <= S_j at x: S takes over at x. They meet there, or P has a step there, or the walk
+#          has just begun.
 #     (3)  P_i < S_j at x': S takes over where the two lines cross.
 #     (4)  P_i >= S_j at x': (1) holds for x', and the walk passes the pieces that begin at x'. At
 #          the end of S, S takes over at x'; at the end of P, S replaces P.
@@ -129,6 +131,7 @@ def lower_envelope_cm(partial: Graph, subtrajectory: Graph) -> Graph:
     if precedes(breaks[-1], other_breaks[0]):
         pieces.append(GAP)
         breaks.append(other_breaks[0])
+    # The walk begins at the pieces that end at the lesser right end, or extend over it.
     x, w = end = breaks[-1]
     i, j = len(pieces) - 1, -1
     if precedes(other_breaks[-1], end):
@@ -201,8 +204,9 @@ def merge(first: Graph, second: Graph) -> Graph:
     other_pieces, other_breaks = second.pieces, second.breaks
     x, w = start = other_breaks[0]
     i, j = find_piece(first, start), 0
-    cut = i + precedes(breaks[i], start)
-    starts, merged = breaks[:cut], [*pieces, GAP][:cut]
+    # P left of the common x-range, and a gap if P ends before Q begins.
+    kept = i + precedes(breaks[i], start)
+    starts, merged = breaks[:kept], [*pieces, GAP][:kept]
     while i < len(pieces) and j < len(other_pieces):
         lower, upper = pieces[i], other_pieces[j]
         (end, end_w), (other_end, other_w) = breaks[i + 1], other_breaks[j + 1]

@@ -27,15 +27,17 @@ from exactsweep.procedures.chain import Chain, partition, precedes
 from exactsweep.procedures.cm import Untouched, close, find_touched
 from exactsweep.procedures.graph import Graph, Ranges, lower_envelope_cm, lower_envelope_mm
 
-# A row, the subtrajectories of one part, lacks irrelevant edges and pruned sums. Let E be the
-# envelope of all pairs, P the partial trajectory, and s_k the whole sum of the part and D_k.
+# A row is the list of subtrajectories of one G_i. It lacks those that `ceiling` drops, which are
+# above the envelope E of all pairs, and all irrelevant edges (see `ConvexPart`), whose inner points
+# are above E as well. Let s_j be T(G_i, D_j) with all edges, as in the paper, and let P be the
+# partial trajectory when the k-th one is added.
 #
-#     (1)  P is on E wherever one of its members is on E.
+#     (1)  P is on E wherever one of s_1, ..., s_{k-1} is on E.
 #
 # Let LowerEnvelope_CM replace P by s_k right of x, where P is not below s_k: wherever P was on E
-# there, s_k is. So P may lose all of it, even where the edges of s_k are irrelevant and s_k is not
-# on E. Left of x, some whole sum s_j, j < k, is nowhere above s_k (Lemma A.3). Where s_k is on E
-# there, so is s_j, and by (1) so is P. So the lower envelope of all rows is E.
+# there, s_k is. So P may lose all of it, even where the edges of s_k are irrelevant and neither is
+# on E. Left of x, some s_j, j < k, is nowhere above s_k (Lemma A.3). Where s_k is on E there, so is
+# s_j, and by (1) so is P. So (1) holds for k + 1, and the lower envelope of all rows is E.
 
 
 def trajectory_mm(generatrix: Chain, directrix: Chain, ranges: Ranges | None = None) -> Graph:
@@ -50,11 +52,12 @@ def trajectory_mm(generatrix: Chain, directrix: Chain, ranges: Ranges | None = N
     """
     # Step 1: partition G_t into convex chains G_1, ..., G_l (and D_b for Trajectory_CM).
     generatrix_parts, directrix_parts = partition(generatrix, directrix)
-    # Step 2: compute the subtrajectories T(G_i, D_b) for all i by Trajectory_CM. To disable
-    # pruning, call cc.subtrajectories(generatrix_parts, directrix_parts).
+    # Step 2: compute the subtrajectories T(G_i, D_b) for all i, by steps 2 and 3 of Trajectory_CM.
+    # To disable pruning, call cc.subtrajectories(generatrix_parts, directrix_parts).
     rows = subtrajectories(generatrix_parts, directrix_parts, ranges)
-    # Steps 3 and 4: compute and return their lower envelope.
-    return lower_envelope_mm([reduce(lower_envelope_cm, row) for row in rows if row])
+    envelopes = [reduce(lower_envelope_cm, row) for row in rows if row]
+    # Steps 3 and 4: compute their lower envelope by LowerEnvelope_MM, and return it.
+    return lower_envelope_mm(envelopes)
 
 
 def sweep_mm(generatrix: Chain, bottom: Chain, directrix: Chain) -> tuple[Chain, Chain]:
@@ -79,7 +82,8 @@ def sweep_mm(generatrix: Chain, bottom: Chain, directrix: Chain) -> tuple[Chain,
 def sweep_inner_mm(generatrix: Chain, directrix: Chain, trajectory: Graph, path: Chain) -> Chain:
     """Compute the inner boundary T(I(G), -T): I(G) slides along the inside of T (Lemma 5.3).
 
-    After a half turn, G_t slides along the complement of T. `path` is T as a chain.
+    It is computed after a half turn: I(G) becomes G, and the complement of T, whose interior is the
+    outside of T, becomes a bottom chain. `path` is T as a chain.
 
     Cost: O(t log t) to find the undercuts, and O(t' n log n) for the t' <= t edges of T along which
     G is over an undercut.
@@ -87,7 +91,7 @@ def sweep_inner_mm(generatrix: Chain, directrix: Chain, trajectory: Graph, path:
     undercuts = find_untouched(generatrix, directrix, trajectory)
     if not undercuts:
         return directrix
-    ranges = [((-right, w), (-left, v)) for _, (left, v), _, (right, w) in reversed(undercuts)]
+    ranges = [((-u, v), (-x, w)) for _, (x, w), _, (u, v) in reversed(undercuts)]
     inside = trajectory_mm(generatrix, path.half_turn(), ranges)
     bottoms = [inside.clip(*span).chain().half_turn().vertices for span in reversed(ranges)]
     return close(directrix, undercuts, bottoms)
@@ -104,7 +108,8 @@ def sweep_outer_mm(bottom: Chain, path: Chain) -> Graph:
 def find_untouched(generatrix: Chain, directrix: Chain, trajectory: Graph) -> list[Untouched]:
     """Find x-ranges of D_b, from left to right, that contain all points that G does not touch.
 
-    They include parts of D_b whose contacts are hidden by another piece of T.
+    Where subtrajectories coincide, T has only one of them, so the ranges also contain points that G
+    touches along the others. This does no harm: the inner boundary is D_b there.
     """
     touched = [
         (*find_touched(generatrix, directrix, piece, start, end), piece)

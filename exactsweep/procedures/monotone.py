@@ -36,20 +36,20 @@ class LowerMM:
 
     @cached_property
     def trajectory(self) -> Graph:
-        """T(G_t, D_b) with its events."""
+        """T(G_t, D_b) with its events: Trajectory_MM."""
         return trajectory_mm(self.generatrix, self.directrix)
 
     @cached_property
     def path(self) -> Chain:
-        """T(G_t, D_b)."""
+        """T(G_t, D_b) as a chain."""
         return self.trajectory.chain()
 
     def sweep_inner(self) -> Chain:
-        """Compute the inner boundary (Definition 2.1)."""
+        """Compute the inner boundary (Definition 2.1): half of Sweep_MM."""
         return sweep_inner_mm(self.generatrix, self.directrix, self.trajectory, self.path)
 
     def sweep_outer(self) -> Chain:
-        """Compute the outer boundary (Definition 2.1)."""
+        """Compute the outer boundary (Definition 2.1): half of Sweep_MM."""
         return sweep_outer_mm(self.bottom, self.path).chain()
 
 
@@ -60,34 +60,37 @@ class LowerCM(LowerMM):
 
     @cached_property
     def trajectory(self) -> Graph:
-        """T(G_t, D_b) with its events."""
+        """T(G_t, D_b) with its events: Trajectory_CM."""
         return trajectory_cm(self.generatrix, self.directrix)
 
     def sweep_inner(self) -> Chain:
-        """Compute the inner boundary (Definition 2.1)."""
+        """Compute the inner boundary (Definition 2.1): SweepI_CM."""
         return sweep_inner_cm(self.generatrix, self.directrix, self.trajectory)
 
     def sweep_outer(self) -> Chain:
-        """Compute the outer boundary (Definition 2.1)."""
+        """Compute the outer boundary (Definition 2.1): SweepO_CM."""
         return sweep_outer_cm(self.generatrix, self.bottom, self.directrix).chain()
 
 
 class LowerCC(LowerCM):
-    """The lower sweep of a convex generatrix and a convex directrix (Section 3)."""
+    """The lower sweep of a convex generatrix and a convex directrix (Section 3).
+
+    Trajectory_CC merges edges only. The events, if needed, come from `LowerCM`.
+    """
 
     kind: ClassVar[Kind] = "CC"
 
     @cached_property
     def path(self) -> Chain:
-        """T(G_t, D_b)."""
+        """T(G_t, D_b) as a chain: Trajectory_CC."""
         return trajectory_cc(self.generatrix, self.directrix)
 
     def sweep_inner(self) -> Chain:
-        """Compute the inner boundary (Definition 2.1)."""
+        """Compute the inner boundary (Definition 2.1): SweepI_CC."""
         return sweep_inner_cc(self.generatrix, self.directrix)
 
     def sweep_outer(self) -> Chain:
-        """Compute the outer boundary (Definition 2.1)."""
+        """Compute the outer boundary (Definition 2.1): SweepO_CC."""
         return sweep_outer_cc(self.generatrix, self.bottom, self.directrix)
 
 
@@ -108,6 +111,7 @@ class MonotoneSolution:
     Positions are those of G's origin.
     """
 
+    # Only a `ShapeSolution` has these.
     holes: Sequence[list[Point]] = ()
     unswept: Sequence[list[Point]] = ()
 
@@ -121,7 +125,11 @@ class MonotoneSolution:
 
     @cached_property
     def halves(self) -> tuple[LowerMM, LowerMM]:
-        """The lower sweep, and the upper one after a half turn."""
+        """The lower sweep, and the upper one after a half turn.
+
+        After a half turn, G_b is the reversed top chain of G, and the inverse of G_t its bottom
+        chain.
+        """
         (g_bottom, g_top), (d_bottom, d_top) = (
             split_polygon(polygon.lattice(), self.frame) for polygon in self._pair
         )
@@ -132,6 +140,7 @@ class MonotoneSolution:
         loop, back = self.frame.leave(lower.vertices), self.frame.half_turn().leave(upper.vertices)
         # At each end the two chains meet at a point, or a vertical edge joins them.
         loop += back[back[0] == loop[-1] : len(back) - (back[-1] == loop[0])]
+        # Loops start at the least vertex.
         first = 0 if self.frame.direction == X_AXIS else loop.index(min(loop))
         return loop[first:] + loop[:first]
 
