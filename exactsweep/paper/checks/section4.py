@@ -39,7 +39,7 @@ def lowest(name: str, chains: Sequence[Sequence[Vertex]], envelope: Sequence[Ver
 
 
 def sub_trajectories_suffice(pair: SweepPair) -> Iterator[str]:
-    """The parts' trajectories and outer boundaries have the whole ones as lower envelopes."""
+    """The trajectory and the outer boundary are lower envelopes over the convex parts of D_b."""
     paths, outers = list_sub_chains(pair)
     yield lowest("sub-trajectory", paths, look_up_bottom(pair, "trajectory"))
     yield lowest("sub-outer chain", outers, look_up_bottom(pair, "outer"))
