@@ -168,9 +168,8 @@ def minkowski_difference(a: Region | Vertices, b: Region | Vertices) -> InnerFit
     It consists of all translations that move b into a: `inner_fit_polygon` with a as the container
     and b as the part. It has the same arguments, errors and cost; messages begin with "a" or "b".
 
-    Example:
-        >>> print(minkowski_difference([(0, 0), (4, 0), (0, 4)], [(0, 0), (1, 0), (1, 1), (0, 1)]))
-        region, 3 vertices: (0, 0) (2, 0) (0, 2)
+    >>> print(minkowski_difference([(0, 0), (4, 0), (0, 4)], [(0, 0), (1, 0), (1, 1), (0, 1)]))
+    region, 3 vertices: (0, 0) (2, 0) (0, 2)
     """
     return InnerFit(to_region(a, "a"), to_region(b, "b"), ORIGIN)
 

@@ -25,14 +25,13 @@ def read_parts(path: str, tolerance: object = None, **options: Unpack[Options]) 
     Takes the arguments of `exactsweep.formats.read_regions`; the path may also be a folder or a
     pattern. Raises FormatError if no file can be read.
 
-    Example:
-        >>> from pathlib import Path
-        >>> from tempfile import TemporaryDirectory
-        >>> with TemporaryDirectory() as folder:
-        ...     file = Path(folder, "parts.svg")
-        ...     _ = file.write_text('<svg><rect id="plate" width="6" height="4"/></svg>')
-        ...     print(*read_parts(str(file)))
-        Part(name='plate', polygon=...)
+    >>> from pathlib import Path
+    >>> from tempfile import TemporaryDirectory
+    >>> with TemporaryDirectory() as folder:
+    ...     file = Path(folder, "parts.svg")
+    ...     _ = file.write_text('<svg><rect id="plate" width="6" height="4"/></svg>')
+    ...     print(*read_parts(str(file)))
+    Part(name='plate', polygon=...)
     """
     return make_parts(list_parts([path], tolerance, **options))
 

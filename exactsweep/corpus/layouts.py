@@ -38,9 +38,8 @@ class LayoutCase(NamedTuple):
 def layout_cases() -> Iterator[LayoutCase]:
     """Yield the shipped layouts.
 
-    Example:
-        >>> next(layout_cases()).title
-        'Six tiles fill a box'
+    >>> next(layout_cases()).title
+    'Six tiles fill a box'
     """
     for data in read_shipped("layouts")["cases"]:
         yield LayoutCase(
@@ -52,9 +51,8 @@ def layout_cases() -> Iterator[LayoutCase]:
 def find_layout_case(id: str) -> LayoutCase:
     """Find a shipped layout by its id; raise UnknownNameError if there is none.
 
-    Example:
-        >>> find_layout_case("layouts-slot").expected["valid"]
-        True
+    >>> find_layout_case("layouts-slot").expected["valid"]
+    True
     """
     found = {case.id: case for case in layout_cases()}
     return found[require_known(id, found, "layout")]
@@ -80,9 +78,8 @@ class PathCase(NamedTuple):
 def path_cases() -> Iterator[PathCase]:
     """Yield the shipped sums with paths.
 
-    Example:
-        >>> next(path_cases()).sum.area
-        Fraction(9255, 1)
+    >>> next(path_cases()).sum.area
+    Fraction(9255, 1)
     """
     for data in read_shipped("paths")["cases"]:
         path = Polyline(data["path"]["points"], closed=data["path"]["closed"])
@@ -98,9 +95,8 @@ def path_cases() -> Iterator[PathCase]:
 def find_path_case(id: str) -> PathCase:
     """Find a shipped sum by its id; raise UnknownNameError if there is none.
 
-    Example:
-        >>> find_path_case("paths-loop").sum.holes
-        (Polygon([(2, 2), (9, 2), (9, 9), (2, 9)]),)
+    >>> find_path_case("paths-loop").sum.holes
+    (Polygon([(2, 2), (9, 2), (9, 9), (2, 9)]),)
     """
     found = {case.id: case for case in path_cases()}
     return found[require_known(id, found, "sum with a path")]

@@ -21,9 +21,8 @@ def themes() -> dict[str, str]:
 
     The id of a case starts with the name of its theme and a hyphen.
 
-    Example:
-        >>> themes()["fits"]
-        'Slots that the generatrix fits exactly, and nearly'
+    >>> themes()["fits"]
+    'Slots that the generatrix fits exactly, and nearly'
     """
     return {name: _theme(name)["title"] for name in _names()}
 
@@ -145,9 +144,8 @@ def read_theme(folder: Traversable, name: str) -> str:
 def find_case(id: str) -> Case:
     """Find a shipped or generated case by its id; raise UnknownNameError if there is none.
 
-    Example:
-        >>> find_case("gen-convex-1-0").kind
-        'CC'
+    >>> find_case("gen-convex-1-0").kind
+    'CC'
     """
     if id.startswith("gen-"):
         return generate_case(id)
@@ -166,9 +164,8 @@ class Note(NamedTuple):
 def notes() -> dict[str, Note]:
     """Read the notes on flags.
 
-    Example:
-        >>> notes()["rounded-answer"].meaning
-        'At the integer scale, some coordinate of the answer is not an integer.'
+    >>> notes()["rounded-answer"].meaning
+    'At the integer scale, some coordinate of the answer is not an integer.'
     """
     return {flag: Note(**note) for flag, note in read_shipped("notes").items()}
 

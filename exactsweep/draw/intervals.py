@@ -54,7 +54,7 @@ class SweepFeatures:
 
 
 class ContactInterval(NamedTuple):
-    """A part of an edge of a loop of positions along which the contacts are constant.
+    """An interval of constant contact on an edge of a loop of positions.
 
     Attributes:
         edge: the index of the edge, equal to that of its first vertex.

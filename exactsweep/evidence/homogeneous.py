@@ -34,11 +34,7 @@ def place(p: Node) -> tuple[Fraction, Fraction]:
 
 
 def make_side(p: Node, q: Node) -> DirectedSegment:
-    """Return the segment from one point to another.
-
-    >>> make_side((0, 0, 1), (1, 1, 2))
-    DirectedSegment(start=(0, 0, 1), end=(1, 1, 2), direction=(1, 1), line=(-1, 1, 0))
-    """
+    """Return the segment from one point to another."""
     (x, y, w), (u, v, z) = p, q
     dx, dy = u * w - x * z, v * w - y * z
     common = gcd(dx, dy) or 1

@@ -48,10 +48,9 @@ class MinkowskiSum(Region):
         boundary. Raises PolygonError if the path is a single point. Cost: as for
         `evidence.proof.add_proof`.
 
-        Example:
-            >>> swept = minkowski_sum([(0, 0), (1, 0), (0, 1)], Polyline([(0, 0), (2, 2)]))
-            >>> swept.certificate()["path"]
-            [['0', '0'], ['2', '2']]
+        >>> swept = minkowski_sum([(0, 0), (1, 0), (0, 1)], Polyline([(0, 0), (2, 2)]))
+        >>> swept.certificate()["path"]
+        [['0', '0'], ['2', '2']]
         """
         from exactsweep.evidence.proof import add_proof
 

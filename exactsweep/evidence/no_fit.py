@@ -89,11 +89,10 @@ class OverlapRegions(RegionAnswer):
         Returns "overlap" if interiors overlap; "contact" if shapes only touch, on a loop or in an
         exact fit; "free" if they are apart. Cost: computing the loops and fits.
 
-        Example:
-            >>> from exactsweep import no_fit_polygon
-            >>> n = no_fit_polygon([(0, 0), (1, 0), (0, 1)], [(0, 0), (1, 0), (0, 1)])
-            >>> n.locate((0, 0)), n.locate((1, 0)), n.locate((1, 1))
-            ('overlap', 'contact', 'free')
+        >>> from exactsweep import no_fit_polygon
+        >>> n = no_fit_polygon([(0, 0), (1, 0), (0, 1)], [(0, 0), (1, 0), (0, 1)])
+        >>> n.locate((0, 0)), n.locate((1, 0)), n.locate((1, 1))
+        ('overlap', 'contact', 'free')
         """
         found = self._locate(position)
         return "overlap" if found == "inside" else "contact" if found == "boundary" else "free"
@@ -203,11 +202,10 @@ class InnerFitAnswer(RegionAnswer):
         Returns "inside" in a region; "boundary" on its boundary or in an exact fit, where the part
         touches an obstacle; "outside" where the part overlaps one. Cost: computing `solution`.
 
-        Example:
-            >>> from exactsweep import inner_fit_polygon
-            >>> f = inner_fit_polygon([(0, 0), (4, 0), (4, 2), (0, 2)], [(0, 0), (1, 0), (0, 1)])
-            >>> f.locate((1, 1)), f.locate((0, 1)), f.locate((9, 1))
-            ('boundary', 'boundary', 'outside')
+        >>> from exactsweep import inner_fit_polygon
+        >>> f = inner_fit_polygon([(0, 0), (4, 0), (4, 2), (0, 2)], [(0, 0), (1, 0), (0, 1)])
+        >>> f.locate((1, 1)), f.locate((0, 1)), f.locate((9, 1))
+        ('boundary', 'boundary', 'outside')
         """
         return self._locate(position)
 

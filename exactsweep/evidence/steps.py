@@ -92,15 +92,14 @@ def explain(s: SweepAnswer) -> tuple[Step, ...]:
     Step k corresponds to `s.contacts[k]`. Cost: O(m n + t) look-ups for t edges of the trajectory,
     plus O((m + n) log(m + n)) for each of its right turns.
 
-    Example:
-        >>> from exactsweep import sweep
-        >>> square = [(0, 0), (1, 0), (1, 1), (0, 1)]
-        >>> slot = [(0, 0), (3, 0), (3, 3), (2, 3), (2, 1), (1, 1), (1, 3), (0, 3)]
-        >>> step = explain(sweep(square, slot))[2]
-        >>> step.direction, [touch.contact.event for touch in step.touches], step.ending
-        ((-1, 0), ['EE', 'EE'], 'corner')
-        >>> [mark.mark for mark in step.landmarks]
-        ['undercut', 'exact fit']
+    >>> from exactsweep import sweep
+    >>> square = [(0, 0), (1, 0), (1, 1), (0, 1)]
+    >>> slot = [(0, 0), (3, 0), (3, 3), (2, 3), (2, 1), (1, 1), (1, 3), (0, 3)]
+    >>> step = explain(sweep(square, slot))[2]
+    >>> step.direction, [touch.contact.event for touch in step.touches], step.ending
+    ((-1, 0), ['EE', 'EE'], 'corner')
+    >>> [mark.mark for mark in step.landmarks]
+    ['undercut', 'exact fit']
     """
     return _Guide(s).steps()
 
@@ -236,11 +235,10 @@ def blocks(contact: Contact, step: Vertex, generatrix: Outline, directrix: Outli
 
     Before the move, G touches D without overlap.
 
-    Example:
-        >>> square = Outline([[(0, 0), (1, 0), (1, 1), (0, 1)]])
-        >>> on_top = Contact("EE", 0, 2)
-        >>> [blocks(on_top, step, square, square) for step in [(1, 0), (1, 1), (1, -1)]]
-        [False, False, True]
+    >>> square = Outline([[(0, 0), (1, 0), (1, 1), (0, 1)]])
+    >>> on_top = Contact("EE", 0, 2)
+    >>> [blocks(on_top, step, square, square) for step in [(1, 0), (1, 1), (1, -1)]]
+    [False, False, True]
     """
     event, i, j = contact
     if event == "EV":

@@ -222,10 +222,7 @@ class SweepAnswer(Certified):
 
     @cached_property
     def undercuts(self) -> tuple[Undercut, ...]:
-        """The regions between D and the inner loop (Figure 7), along the inner loop.
-
-        Holes of D are not undercuts.
-        """
+        """The undercuts (Figure 7), in order along the inner loop; holes of D do not count."""
         frame, loop = self.solution.frame, self._enter(self.solution.inner)
         first = loop.index(min(loop))
         directrix = self._enter(self.directrix.exterior.vertices)

@@ -37,10 +37,9 @@ def from_shapely(geometry: shapely.Polygon) -> AnyPolygon:
     Floats keep their exact binary values; Z coordinates are dropped, with a warning. Raises
     FormatError for other geometries, and otherwise the errors of `Region`.
 
-    Example:
-        >>> import shapely
-        >>> print(from_shapely(shapely.box(0, 0, 1.5, 1)))
-        (0, 0) (3/2, 0) (3/2, 1) (0, 1)
+    >>> import shapely
+    >>> print(from_shapely(shapely.box(0, 0, 1.5, 1)))
+    (0, 0) (3/2, 0) (3/2, 1) (0, 1)
     """
     kind = getattr(geometry, "geom_type", type(geometry).__name__)
     if kind not in ("Polygon", "LinearRing"):
@@ -156,10 +155,9 @@ def from_numpy(array: numpy.ndarray) -> Polygon:
     The array has ints, floats (with their exact binary values), or objects that `to_fraction`
     accepts. Raises FormatError for other shapes, and otherwise the errors of `Polygon`.
 
-    Example:
-        >>> import numpy
-        >>> print(from_numpy(numpy.array([[0, 0], [1, 0], [0, 0.5]])))
-        (0, 0) (1, 0) (0, 1/2)
+    >>> import numpy
+    >>> print(from_numpy(numpy.array([[0, 0], [1, 0], [0, 0.5]])))
+    (0, 0) (1, 0) (0, 1/2)
     """
     if len(array.shape) != 2 or array.shape[1] != 2:
         raise FormatError(f"the array has shape {array.shape}, not (n, 2)")

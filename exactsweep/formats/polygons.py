@@ -89,9 +89,8 @@ def parse_region(
 ) -> Region:
     """Read one polygon with its holes; arguments and errors as for `parse_polygon`.
 
-    Example:
-        >>> parse_region("POLYGON ((0 0, 4 0, 0 4, 0 0), (1 1, 2 1, 1 2, 1 1))").area
-        Fraction(15, 2)
+    >>> parse_region("POLYGON ((0 0, 4 0, 0 4, 0 0), (1 1, 2 1, 1 2, 1 1))").area
+    Fraction(15, 2)
     """
     found = parse_candidates(text, tolerance, **options)
     return _read_one(choose(found, choice), Candidate.region, tolerance)
@@ -105,10 +104,9 @@ def parse_regions(
 
     Holes are inner rings, "holes" in JSON, and SVG subpaths that the fill rule leaves empty.
 
-    Example:
-        >>> path = '<path fill-rule="evenodd" d="M0 0H4V4H0z M1 1h1v1z"/>'
-        >>> [part.region.area for part in parse_regions(f"<svg>{path}</svg>")]
-        [Fraction(31, 2)]
+    >>> path = '<path fill-rule="evenodd" d="M0 0H4V4H0z M1 1h1v1z"/>'
+    >>> [part.region.area for part in parse_regions(f"<svg>{path}</svg>")]
+    [Fraction(31, 2)]
     """
     return parse_candidates(text, tolerance, **options).read_each(Candidate.named_regions)
 

@@ -79,11 +79,10 @@ def round_regions(
 ) -> tuple[list[NamedRegion], Changes]:
     """Round regions to decimals; `side_of` returns the `side` of `round_region` for each.
 
-    Example:
-        >>> third = NamedRegion(Region([(0, 0), (1, 0), (0, "1/3")]), "third", None)
-        >>> rounded, changes = round_regions([third], 1, lambda region: "outward")
-        >>> print(rounded[0].region, changes.changed)
-        (0, 0) (1, 0) (0, 2/5) 1
+    >>> third = NamedRegion(Region([(0, 0), (1, 0), (0, "1/3")]), "third", None)
+    >>> rounded, changes = round_regions([third], 1, lambda region: "outward")
+    >>> print(rounded[0].region, changes.changed)
+    (0, 0) (1, 0) (0, 2/5) 1
     """
     found: list[NamedRegion] = []
     changed = left_out = 0

@@ -152,10 +152,7 @@ def find_outside(ring: Sequence[Vertex], room: Bounds) -> Rings:
 
 
 def contains(outer: Rings, inner: Rings) -> bool:
-    """Decide whether a closed shape contains another one.
-
-    Cost: one `relate` per ring of the outer shape.
-    """
+    """Decide whether a closed shape contains another, by one `relate` per outer ring."""
     shape = EdgeIndex(inner)
     others = [find_outside(outer[0], shape.box), *([hole[::-1]] for hole in outer[1:])]
     return all(relate(EdgeIndex(rings), shape) is not Relation.OVERLAP for rings in others)

@@ -99,11 +99,10 @@ class PointSet:
         Edges are counted as in `vertex_index`. If several collinear input edges form edge k, it is
         the first. Raises PolygonError if there is no edge k.
 
-        Example:
-            >>> from exactsweep import Polygon
-            >>> clockwise = Polygon([(0, 0), (0, 2), (2, 0)])
-            >>> [clockwise.edge_index(k) for k in range(3)]
-            [2, 1, 0]
+        >>> from exactsweep import Polygon
+        >>> clockwise = Polygon([(0, 0), (0, 2), (2, 0)])
+        >>> [clockwise.edge_index(k) for k in range(3)]
+        [2, 1, 0]
         """
         return _pick(self._edge_index, k, "edge")
 
@@ -157,10 +156,9 @@ class PointSet:
     def translated(self, by: Iterable[object]) -> Self:
         """Return the shape moved by a vector, a pair of numbers.
 
-        Example:
-            >>> from exactsweep import Polygon
-            >>> Polygon([(0, 0), (1, 0), (0, 1)]).translated((2, "1/2"))
-            Polygon([(2, '1/2'), (3, '1/2'), (2, '3/2')])
+        >>> from exactsweep import Polygon
+        >>> Polygon([(0, 0), (1, 0), (0, 1)]).translated((2, "1/2"))
+        Polygon([(2, '1/2'), (3, '1/2'), (2, '3/2')])
         """
         return self._image(AffineMap(_ONE, _ZERO, _ZERO, _ONE, *read_point(by, "translation")))
 
@@ -202,10 +200,9 @@ class PointSet:
 
         `center` is the fixed point. Raises NumberError for a factor of 0.
 
-        Example:
-            >>> from exactsweep import Polygon
-            >>> print(Polygon([(0, 0), (1, 0), (0, 1)]).scaled((3, "1/2"), center=(1, 0)))
-            (-2, 0) (1, 0) (-2, 1/2)
+        >>> from exactsweep import Polygon
+        >>> print(Polygon([(0, 0), (1, 0), (0, 1)]).scaled((3, "1/2"), center=(1, 0)))
+        (-2, 0) (1, 0) (-2, 1/2)
         """
         across, up = read_point(by if _is_pair(by) else (by, by), "factor")  # type: ignore[arg-type]
         if not across or not up:
@@ -215,10 +212,9 @@ class PointSet:
     def reflected(self, center: Iterable[object] = (0, 0)) -> Self:
         """Return the shape after a half turn about a center, the point reflection I of the paper.
 
-        Example:
-            >>> from exactsweep import Polygon
-            >>> Polygon([(0, 0), (1, 0), (0, 1)]).reflected()
-            Polygon([(-1, 0), (0, -1), (0, 0)])
+        >>> from exactsweep import Polygon
+        >>> Polygon([(0, 0), (1, 0), (0, 1)]).reflected()
+        Polygon([(-1, 0), (0, -1), (0, 0)])
         """
         return self._image(AffineMap(-_ONE, _ZERO, _ZERO, -_ONE).about(center))
 
@@ -249,13 +245,12 @@ class PointSet:
 
         `strictly` excludes points of the boundary.
 
-        Example:
-            >>> from exactsweep import Polygon
-            >>> third = Polygon([(0, 0), (1, 0), (0, "1/3")])
-            >>> third.contains(("1/2", "1/6")), third.contains((0.5, 1 / 6), strictly=True)
-            (True, True)
-            >>> ("1/2", "1/6") in third, third.contains(("1/2", "1/6"), strictly=True)
-            (True, False)
+        >>> from exactsweep import Polygon
+        >>> third = Polygon([(0, 0), (1, 0), (0, "1/3")])
+        >>> third.contains(("1/2", "1/6")), third.contains((0.5, 1 / 6), strictly=True)
+        (True, True)
+        >>> ("1/2", "1/6") in third, third.contains(("1/2", "1/6"), strictly=True)
+        (True, False)
         """
         place = read_point(point, "point")
         if is_inside(place, self.rings):

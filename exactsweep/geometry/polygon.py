@@ -119,9 +119,8 @@ class Polygon(PointSet):
         The points are pairs of ints: the vertices times the scale, which is the least possible. If
         it would have more than 8192 bits, the scale is 1 and the points are the vertices.
 
-        Example:
-            >>> Polygon([(0, 0), ("1/2", 0), (0, "1/3")]).lattice()
-            (6, ((0, 0), (3, 0), (0, 2)))
+        >>> Polygon([(0, 0), ("1/2", 0), (0, "1/3")]).lattice()
+        (6, ((0, 0), (3, 0), (0, 2)))
         """
         if self._lattice is None:
             assert self._vertices is not None

@@ -47,10 +47,7 @@ def read_point(pair: Iterable[object], name: str) -> Point:
 
 
 def find_geometry(shape: object) -> Mapping[str, Any] | None:
-    """Return the GeoJSON geometry of an object with a `__geo_interface__`, or of a GeoJSON dict.
-
-    Returns None for other objects.
-    """
+    """Return the geometry of a GeoJSON dict or a `__geo_interface__`; None for other objects."""
     is_geojson = isinstance(shape, Mapping) and not _GEOJSON.isdisjoint(shape)
     found = shape if is_geojson else getattr(shape, "__geo_interface__", None)
     if isinstance(found, Mapping) and found.get("type") == "Feature":

@@ -105,9 +105,8 @@ class Region(PointSet):
 
         The rings have the interior on the left. The scale is as in `Polygon.lattice`.
 
-        Example:
-            >>> Region([(0, 0), (3, 0), (0, 3)], [[("1/2", 1), (1, "1/2"), (1, 1)]]).lattice()[1]
-            (((0, 0), (6, 0), (0, 6)), ((1, 2), (2, 2), (2, 1)))
+        >>> Region([(0, 0), (3, 0), (0, 3)], [[("1/2", 1), (1, "1/2"), (1, 1)]]).lattice()[1]
+        (((0, 0), (6, 0), (0, 6)), ((1, 2), (2, 2), (2, 1)))
         """
         scale, (rings,) = share_lattice([self], LATTICE_BITS)
         return scale, tuple(map(tuple, rings))

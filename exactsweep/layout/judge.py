@@ -142,22 +142,21 @@ def judge_layout(layout: Layout) -> Judgement:
     Cost: O(n log n) for n placements and defects, plus `meet` for each pair whose boxes are nearer
     than the spacing.
 
-    Example:
-        >>> square = [["0", "0"], ["1", "0"], ["1", "1"], ["0", "1"]]
-        >>> layout = Layout.from_json({
-        ...     "container": {"exterior": [["0", "0"], ["2", "0"], ["2", "1"], ["0", "1"]]},
-        ...     "parts": [{"id": "tile", "exterior": square}],
-        ...     "placements": [
-        ...         {"part": "tile", "turn": "0", "move": ["0", "0"]},
-        ...         {"part": "tile", "turn": "0", "move": ["0.9", "0"]},
-        ...     ],
-        ... })
-        >>> judgement = judge_layout(layout)
-        >>> judgement.valid, judgement.density
-        (False, Fraction(1, 1))
-        >>> (fault,) = judgement.faults
-        >>> print(fault, fault.move)
-        placements 0 and 1 overlap at (19/20,1/2) (1/10, 0)
+    >>> square = [["0", "0"], ["1", "0"], ["1", "1"], ["0", "1"]]
+    >>> layout = Layout.from_json({
+    ...     "container": {"exterior": [["0", "0"], ["2", "0"], ["2", "1"], ["0", "1"]]},
+    ...     "parts": [{"id": "tile", "exterior": square}],
+    ...     "placements": [
+    ...         {"part": "tile", "turn": "0", "move": ["0", "0"]},
+    ...         {"part": "tile", "turn": "0", "move": ["0.9", "0"]},
+    ...     ],
+    ... })
+    >>> judgement = judge_layout(layout)
+    >>> judgement.valid, judgement.density
+    (False, Fraction(1, 1))
+    >>> (fault,) = judgement.faults
+    >>> print(fault, fault.move)
+    placements 0 and 1 overlap at (19/20,1/2) (1/10, 0)
     """
     return Judgement(layout)
 

@@ -68,11 +68,10 @@ def repair_layout(judgement: Judgement) -> RepairedLayout | None:
     It is None if no such moves were found, a fault does not depend on positions, or there are
     more than 2,000 faults. It takes up to thirty judgements and the repairs of deep faults.
 
-    Example:
-        >>> from exactsweep.corpus import find_layout_case
-        >>> nudged = judge_layout(find_layout_case("layouts-tangram-nudged").layout)
-        >>> nudged.valid, repair_layout(nudged).judgement.valid
-        (False, True)
+    >>> from exactsweep.corpus import find_layout_case
+    >>> nudged = judge_layout(find_layout_case("layouts-tangram-nudged").layout)
+    >>> nudged.valid, repair_layout(nudged).judgement.valid
+    (False, True)
     """
     first, layout = judgement, judgement.layout
     conditions: list[_Condition] = []

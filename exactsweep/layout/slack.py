@@ -33,11 +33,10 @@ class ProvedSlack(NamedTuple):
 def find_slack(judgement: Judgement) -> ProvedSlack | None:
     """Find the slack of a layout; None if it is invalid, has defects, or lacks a convex container.
 
-    Example:
-        >>> from exactsweep.corpus import find_layout_case
-        >>> slack = find_slack(judge_layout(find_layout_case("layouts-record-squares-11").layout))
-        >>> float(1 - slack.scale) < 1e-6 and float(slack.growth) < 1e-8
-        True
+    >>> from exactsweep.corpus import find_layout_case
+    >>> slack = find_slack(judge_layout(find_layout_case("layouts-record-squares-11").layout))
+    >>> float(1 - slack.scale) < 1e-6 and float(slack.growth) < 1e-8
+    True
     """
     layout, container = judgement.layout, judgement.layout.container
     if not judgement.valid or container is None or layout.defects:

@@ -23,9 +23,8 @@ _MAX_STORED = 60_000
 def list_titles() -> dict[str, str]:
     """Return the titles of the lessons by name.
 
-    Example:
-        >>> list_titles()["judging"]
-        'Judging your own program'
+    >>> list_titles()["judging"]
+    'Judging your own program'
     """
     return {name: _source(read_notebook(name)["cells"][0]).split("\n")[0][2:] for name in _NAMES}
 
@@ -34,9 +33,8 @@ def list_titles() -> dict[str, str]:
 def read_notebook(name: str) -> Notebook:
     """Return a lesson, one of `list_titles`, as a notebook document.
 
-    Example:
-        >>> read_notebook("tour")["cells"][0]["cell_type"]
-        'markdown'
+    >>> read_notebook("tour")["cells"][0]["cell_type"]
+    'markdown'
     """
     if name not in _NAMES:
         near = suggest(str(name), _NAMES) or f"; the lessons are {', '.join(_NAMES)}"

@@ -12,9 +12,8 @@ def render_lesson(name: str) -> str:
 
     The page follows the light or dark mode of the browser.
 
-    Example:
-        >>> "<h1>The gallery</h1>" in render_lesson("gallery")
-        True
+    >>> "<h1>The gallery</h1>" in render_lesson("gallery")
+    True
     """
     from jinja2 import Environment, PackageLoader
     from markdown_it import MarkdownIt

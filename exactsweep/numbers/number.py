@@ -149,9 +149,8 @@ def divide(value: int, divisor: int) -> Fraction:
 def ratio(value: int | Fraction, divisor: int | Fraction) -> int | Fraction:
     """Divide by a positive number; the result is an int if it is whole.
 
-    Example:
-        >>> ratio(6, 3), ratio(6, 4)
-        (2, Fraction(3, 2))
+    >>> ratio(6, 3), ratio(6, 4)
+    (2, Fraction(3, 2))
     """
     whole = value // divisor
     return whole if whole * divisor == value else Fraction(value, divisor)

@@ -93,11 +93,10 @@ def _digest(text: str) -> str:
 class InlinePage:
     """The page of a Sweep in a notebook, in a frame of a given height in pixels.
 
-    Example:
-        >>> from exactsweep import sweep
-        >>> square = [(0, 0), (1, 0), (1, 1), (0, 1)]
-        >>> sweep(generatrix=square, directrix=square).view()
-        <InlinePage: Sweep of 4 around 4 vertices>
+    >>> from exactsweep import sweep
+    >>> square = [(0, 0), (1, 0), (1, 1), (0, 1)]
+    >>> sweep(generatrix=square, directrix=square).view()
+    <InlinePage: Sweep of 4 around 4 vertices>
     """
 
     def __init__(self, s: SweepAnswer, height: int = 600) -> None:

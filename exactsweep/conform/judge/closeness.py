@@ -69,7 +69,7 @@ class _NearEdge(NamedTuple):
                     inside = _clip(inside, [-height for height in above])
 
     def reach(self, a: Point, b: Point) -> Fraction:
-        """Return the t at most 2 at which a + t (b - a) leaves the hexagon, which it meets."""
+        """Return the t <= 2 at which a + t (b - a) leaves the hexagon, which it meets."""
         ends = [Fraction(2)]
         for u, v, middle, half in self.strips:
             start, step = u * a.x + v * a.y - middle, u * (b.x - a.x) + v * (b.y - a.y)

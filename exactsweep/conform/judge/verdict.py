@@ -24,9 +24,8 @@ class Verdict(StrEnum):
     An answer gets the worst verdict of its parts. E is the region inside the exact loop and T the
     region inside the answered one; a point is inside if the rings have an odd winding number.
 
-    Example:
-        >>> max(Verdict.EXACT, Verdict.WITHIN, key=lambda verdict: verdict.severity).value
-        'within'
+    >>> max(Verdict.EXACT, Verdict.WITHIN, key=lambda verdict: verdict.severity).value
+    'within'
     """
 
     EXACT = "exact"

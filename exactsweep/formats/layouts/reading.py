@@ -51,11 +51,10 @@ def read_layout(path: str, **options: Unpack[LayoutOptions]) -> dict[str, Any]:
 def parse_layouts(text: str, **options: Unpack[LayoutOptions]) -> list[model.FoundLayout]:
     """Read the layouts in a string, like `read_layouts`; the instance is also a string.
 
-    Example:
-        >>> rectangle = '<rect id="sheet" width="4" height="3"/>'
-        >>> (found,) = parse_layouts(f'<svg>{rectangle}<path id="a" d="M0 0H3V1z"/></svg>')
-        >>> found.data["parts"]
-        [{'id': 'a', 'exterior': [['0', '0'], ['3', '0'], ['3', '1']]}]
+    >>> rectangle = '<rect id="sheet" width="4" height="3"/>'
+    >>> (found,) = parse_layouts(f'<svg>{rectangle}<path id="a" d="M0 0H3V1z"/></svg>')
+    >>> found.data["parts"]
+    [{'id': 'a', 'exterior': [['0', '0'], ['3', '0'], ['3', '1']]}]
     """
     instance, container, reading = _parse_options(**options)
     known = _parse_instance(instance, reading)

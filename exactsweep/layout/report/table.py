@@ -38,22 +38,21 @@ def report_layout(
     `ranked` has the faults as sorted by `rank_faults`, if known. Without a `terminal_width`, the
     text is plain. With `everything`, all faults are listed.
 
-    Example:
-        >>> from exactsweep.layout import Layout, judge_layout
-        >>> tile = {"id": "tile", "exterior": [[0, 0], [1, 0], [1, 1], [0, 1]]}
-        >>> layout = Layout.from_json({
-        ...     "container": {"exterior": [[0, 0], [2, 0], [2, 1], [0, 1]]},
-        ...     "parts": [tile],
-        ...     "placements": [{"part": "tile", "turn": 0, "move": [x, 0]} for x in (0, "0.9")],
-        ... })
-        >>> print(report_layout(judge_layout(layout)), end="")
-        verdict     not valid: 1 overlap
-        placements  2 of 1 part
-        density     1
-        contacts    0
-        <BLANKLINE>
-           fault    where              how bad   witness      repaired by
-        1  overlap  0 tile and 1 tile  0.1 deep  (0.95, 0.5)  moving 1 by (0.1, 0)
+    >>> from exactsweep.layout import Layout, judge_layout
+    >>> tile = {"id": "tile", "exterior": [[0, 0], [1, 0], [1, 1], [0, 1]]}
+    >>> layout = Layout.from_json({
+    ...     "container": {"exterior": [[0, 0], [2, 0], [2, 1], [0, 1]]},
+    ...     "parts": [tile],
+    ...     "placements": [{"part": "tile", "turn": 0, "move": [x, 0]} for x in (0, "0.9")],
+    ... })
+    >>> print(report_layout(judge_layout(layout)), end="")
+    verdict     not valid: 1 overlap
+    placements  2 of 1 part
+    density     1
+    contacts    0
+    <BLANKLINE>
+       fault    where              how bad   witness      repaired by
+    1  overlap  0 tile and 1 tile  0.1 deep  (0.95, 0.5)  moving 1 by (0.1, 0)
     """
     ranked = rank_faults(judgement, accepted=context.accepted) if ranked is None else ranked
     facts = list_measures(judgement, ranked, context)
