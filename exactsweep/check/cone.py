@@ -53,7 +53,7 @@ def find_cones(rays: Sequence[Ray]) -> list[Cone]:
 
 
 def find_common_direction(some: Iterable[Cone], others: Sequence[Cone]) -> Vertex | None:
-    """Return a common inner direction: if two cones meet, one of them starts in the other."""
+    """Return a common interior direction: if two cones meet, one of them starts in the other."""
     for one in some:
         for other in others:
             for a, b in ((one, other), (other, one)):

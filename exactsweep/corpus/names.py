@@ -11,7 +11,7 @@ class UnknownNameError(ExactSweepError):
 
 
 def require_known(name: str, names: Collection[str], thing: str) -> str:
-    """Return a name if it is known; otherwise suggest another one.
+    """Return a name if it is known; otherwise suggest a similar one.
 
     >>> require_known("exact-fits", ["exact-fit", "undercut"], "flag")
     Traceback (most recent call last):

@@ -108,7 +108,7 @@ def read_schema() -> str:
 
 
 def require_prefix(name: str, *others: str) -> str:
-    """Require that some id has a prefix; otherwise suggest another one."""
+    """Require that some id has a prefix; otherwise suggest a similar one."""
     ids = list_ids()
     if not any(id.startswith(name) for id in ids):
         require_known(name, [*others, *themes(), *ids], "theme or case")

@@ -188,7 +188,7 @@ class _Nesting(NamedTuple):
     """The nesting of polygons; the first of several equal ones represents all."""
 
     parents: dict[int, int | None]  # the innermost polygon around each one
-    crossings: dict[int, tuple[int, int]]  # for each polygon inside two crossing ones, these two
+    crossings: dict[int, tuple[int, int]]  # by polygon, two crossing polygons around it
     groups: list[list[int]]  # equal polygons, largest first
 
 

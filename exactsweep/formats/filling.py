@@ -99,7 +99,7 @@ def _simplify(value: Rational) -> Rational:
 
 class _Classified(NamedTuple):
     boundary: list[Edge]  # pieces with the filled area only on their left
-    inside: list[Edge]  # other pieces next to a nonzero winding number
+    inside: list[Edge]  # other pieces with a nonzero winding number on a side
     below: dict[Edge, Edge | None]  # for each boundary piece, the next one below its left end
 
 

@@ -288,8 +288,8 @@ def _pick(numbers: Sequence[int], k: object, what: str) -> int:
     try:
         return numbers[k]  # type: ignore[no-any-return, call-overload]
     except (TypeError, IndexError):
-        numbered = f"they are numbered 0 to {len(numbers) - 1}"
-        raise PolygonError(f"there is no {what} {quote(k)}: {numbered}") from None
+        last = len(numbers) - 1
+        raise PolygonError(f"there is no {what} {quote(k)}; the last one is {last}") from None
 
 
 def _is_pair(value: object) -> bool:

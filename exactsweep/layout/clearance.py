@@ -34,7 +34,7 @@ class Clearance(NamedTuple):
         return self.square <= sign_square(self.radius + length)
 
     def is_less(self, other: Self) -> bool:
-        """Return whether the clearance is less than another one.
+        """Return whether the clearance is less than another clearance.
 
         For signed roots d and e, and the difference r of the radii, d - r < e is decided by signs
         or by squares: (d - r)^2 = d^2 + r^2 - 2 r d contains only one square root.

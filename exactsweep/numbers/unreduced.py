@@ -1,6 +1,6 @@
 """Fractions that are never reduced.
 
-The test of a ring needs the signs of thousands of differences and products. A greatest common
+Validating a ring needs the signs of thousands of differences and products. A greatest common
 divisor of n digits takes n^2 steps, a product n^1.6.
 """
 

@@ -34,7 +34,7 @@ KINDS: dict[str, tuple[str, Any]] = {
     "entries": ("list entry", read_normals),
 }
 
-# Arguments by name: their kinds, and the keys that contain them, unless these are their names
+# Arguments by name: their kinds, and their keys in certificates if these differ from the names
 _SHAPES = {"directrix": "shape", "generatrix": "shape"}
 _LOOPS = {"exterior": "ring", "holes": "rings"}
 _NO_FIT = {**_SHAPES, **_LOOPS, "exact_fits": "fits"}

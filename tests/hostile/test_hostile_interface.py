@@ -347,11 +347,11 @@ def test_wrong_arguments_of_methods_and_shapes_are_rejected() -> None:
 
 
 def test_missing_vertices_and_edges_are_rejected() -> None:
-    with pytest.raises(PolygonError, match=r"^there is no vertex 4: they are numbered 0 to 3$"):
+    with pytest.raises(PolygonError, match=r"^there is no vertex 4; the last one is 3$"):
         Polygon(UNIT).vertex_index(4)
-    with pytest.raises(PolygonError, match=r"^there is no edge -8: they are numbered 0 to 6$"):
+    with pytest.raises(PolygonError, match=r"^there is no edge -8; the last one is 6$"):
         HOLED.edge_index(-8)
-    with pytest.raises(PolygonError, match=r"^there is no edge 'a': they are numbered 0 to 3$"):
+    with pytest.raises(PolygonError, match=r"^there is no edge 'a'; the last one is 3$"):
         Polygon(UNIT).edge_index("a")  # type: ignore[arg-type]
     # As in a list, -1 is the last one, a vertex of the hole.
     assert HOLED.vertex_index(-1) == HOLED.vertex_index(6)

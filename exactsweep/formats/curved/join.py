@@ -260,7 +260,7 @@ def _walk(
 
 
 def draw_outline(path: Path, shape: Candidate, reading: Reading) -> Candidate:
-    """Give a shape the outline of a closed path; its fill rule applies if that is not simple."""
+    """Set the outline of a shape to a closed path, filled by its rule if it is not simple."""
 
     def read_vertices() -> list[Point]:
         with prefix_errors(shape.place):

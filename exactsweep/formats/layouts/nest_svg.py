@@ -61,7 +61,7 @@ class _NestDrawing:
         self.named = {e.attrib["id"]: e for e in reversed(self.placed) if "id" in e.attrib}
 
     def read_one_shape(self, elements: Iterable[Element], within: Element) -> Data:
-        """Read the only shape of some elements, without the transformation of `within`."""
+        """Read elements that draw a single shape, ignoring the transformation of `within`."""
         rule = self.placed[within].inherited("fill-rule", "nonzero")
         place = Element("svg", {"#line": "1", "style": f"fill-rule: {rule}"})
         place.extend(elements)
