@@ -1,4 +1,4 @@
-"""Repair of layouts by small moves; results are judged valid.
+"""Repair of layouts by small moves; the judge accepts each result.
 
 Two convex pieces keep a distance if the difference of their moves is long enough in the direction
 that separates them, which is a linear condition. Hildreth's method ("A quadratic programming

@@ -1,4 +1,4 @@
-"""No-fit polygons and Minkowski sums of any shapes with holes, in doubles, for small cases.
+"""No-fit polygons and Minkowski sums of shapes with holes, in doubles, for small cases.
 
 Put your own code in place of `no_fit`; or of `minkowski_sum`, if it computes a + b.
 """

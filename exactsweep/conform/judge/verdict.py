@@ -22,7 +22,7 @@ class Verdict(StrEnum):
     """The verdicts from best to worst; VERDICTS.md defines them.
 
     An answer gets the worst verdict of its parts. E is the region inside the exact loop and T the
-    region inside the answered one; a point is inside if the rings have an odd winding number.
+    region inside the answered loop; a point is inside if the rings have an odd winding number.
 
     >>> max(Verdict.EXACT, Verdict.WITHIN, key=lambda verdict: verdict.severity).value
     'within'

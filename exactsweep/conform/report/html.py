@@ -1,6 +1,6 @@
 """A run as a self-contained HTML page.
 
-Pictures of failures show the exact loop, the answered one and the witness. Coordinates are scaled
+Pictures of failures show the exact loop, the answered loop and the witness. Coordinates are scaled
 exactly before they become floats, so a picture shows even an error of one part in 10^15.
 """
 

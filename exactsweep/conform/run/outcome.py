@@ -106,7 +106,7 @@ def ask(peer: Peer, case: Case) -> tuple[Case, Answer]:
 def judge_answer(
     case: Case, put: Case, answer: Answer, hello: Hello, rounding: Fraction | None = None
 ) -> Outcome:
-    """Judge the answer to a case, adapted as `put`; `rounding` as for `compare`."""
+    """Judge the answer to `put`, the adapted case; `rounding` as for `compare`."""
     if answer.result is None:
         assert answer.verdict is not None
         comparison = Comparison(case.id, answer.verdict, answer.reason)
@@ -152,7 +152,7 @@ class OvertimeError(Exception):
 
 @contextmanager
 def stop_after(seconds: float) -> Iterator[None]:
-    """Raise OvertimeError in a `with` block of the main thread after CPU seconds.
+    """Raise OvertimeError in a `with` block of the main thread after the given CPU time.
 
     >>> with stop_after(0.01):
     ...     while True:
@@ -180,7 +180,7 @@ def stop_after(seconds: float) -> Iterator[None]:
 def shrink_outcome(
     peer: Peer, outcome: Outcome, seconds: float, rounding: Fraction | None = None
 ) -> Outcome:
-    """Search for a smaller case with the same fault within seconds; return its outcome."""
+    """Search for a smaller case with the same fault in limited time; return its outcome."""
 
     def judge(case: Case) -> Outcome:
         return judge_case(peer, case, rounding)
