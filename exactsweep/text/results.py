@@ -73,7 +73,7 @@ def _format_error(error: Fraction) -> dict[str, str]:
 
 
 def write_json_value(shape: AnyPolygon) -> object:
-    """Convert a shape to a list of vertices, or with holes to an object with its rings."""
+    """Convert a shape to a list of vertices or, if it has holes, to an object with its rings."""
     return _rings(shape) if isinstance(shape, Region) and shape.holes else shape.vertices
 
 

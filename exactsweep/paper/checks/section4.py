@@ -142,7 +142,7 @@ def labels_name_the_extremes(pair: SweepPair) -> Iterator[str]:
 
 
 def sizes_are_bounded(pair: SweepPair) -> Iterator[str]:
-    """The chains have at most m_b + k n_t, m_b + k (n_t + n_b), and m_b + (k - 1) n_t edges."""
+    """T has at most m_b + k n_t edges, the outer loop k n_b more, the inner m_b + (k - 1) n_t."""
     chains, parts = pair.chains, find_convex_parts(pair.chains.directrix)
     n_t, n_b, m_b = (len(keep_corners(chain)) - 1 for chain in chains)
     for loop, procedure, most in (
@@ -174,7 +174,7 @@ def find_large_parts(effort: Effort) -> Iterator[Observation]:
 
 
 def parts_are_bounded(pair: SweepPair) -> Iterator[str]:
-    """The k parts have at most m_b + k n_t and m_b + k (n_t + n_b) edges in total."""
+    """The k sub-trajectories have at most m_b + k n_t edges in all, the outer chains k n_b more."""
     n_t, n_b, m_b = (len(chain) - 1 for chain in pair.chains)
     paths, outers = list_sub_chains(pair)
     k = len(paths)
