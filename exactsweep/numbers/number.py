@@ -90,8 +90,8 @@ def to_fraction(value: object) -> Fraction:
 
     Raises:
         NumberError: bool, nan, infinities, complex, irrational or symbolic values, other types,
-            strings outside the grammar, and strings and Decimals beyond `limits`. These are
-            rejected before any number more than five times as long as the limit is computed.
+            strings outside the grammar, and strings and Decimals beyond `limits`. Input
+            beyond the limits is rejected before intermediate numbers exceed five times the limit.
 
     Cost: linear in the length of the input, times the cost of a multiplication of that length.
 
