@@ -19,7 +19,7 @@ from exactsweep.numbers.digits import format_fraction
 from exactsweep.numbers.error import explain_type_errors, quote
 from exactsweep.numbers.limits import Limits, get_limits
 
-CHUNK_PAIRS = 16  # in a small batch
+CHUNK_PAIRS = 16  # for a small batch
 _CHUNKS = 2**14  # maximum, since one process distributes them
 _MAX_CHUNK_PAIRS = 512
 _CHUNK_BYTES = 2**20

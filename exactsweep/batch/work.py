@@ -89,7 +89,7 @@ class Work:
 
     def _read(self, line: bytes, names: Names) -> Sweep | NoFitPolygon:
         if not line:
-            raise FormatError(f"the line has more than {get_limits().max_mib:g} MiB (max_mib)")
+            raise FormatError(f"the line is longer than {get_limits().max_mib:g} MiB (max_mib)")
         text = decode_text(line)
         document = parse_json(text)
         if not isinstance(document, dict):

@@ -37,7 +37,7 @@ class Window(NamedTuple):
     def around(cls, points: Iterable[Vertex], width: int, height: int, margin: int = 0) -> Self:
         """Return the smallest window that shows all points with a margin in pixels.
 
-        Both axes have the same unit, unless the aspect ratio of the points exceeds 12.
+        Both axes have the same scale, unless the aspect ratio of the points exceeds 12.
 
         >>> window = Window.around([(0, 0), (10, 5)], 120, 120, 10)
         >>> window.place((0, 0)), window.place((10, 5))
@@ -128,7 +128,7 @@ class AxisScale(NamedTuple):
 
 
 class Scale(NamedTuple):
-    """The scale of a picture, created by `Scale.of`; `is_true` if both axes have the same unit."""
+    """The scale of a picture, created by `Scale.of`; `is_true` if it is the same on both axes."""
 
     x: AxisScale
     y: AxisScale
@@ -138,7 +138,7 @@ class Scale(NamedTuple):
     def of(cls, *shapes: Iterable[Vertex]) -> Self:
         """Return the scale of a picture that shows all points.
 
-        Both axes have the same unit, unless the aspect ratio of the points exceeds 12. Coordinates
+        Both axes have the same scale, unless the aspect ratio of the points exceeds 12. Coordinates
         of a few digits are unchanged.
 
         Raises:

@@ -302,7 +302,7 @@ def tree(boxes: list[Any], numbers: Sequence[int]) -> Any:
 
 
 def near(one: Any, other: Any, more: Any = ORIGIN, touch: int = 0) -> Iterator[Any]:
-    """Yield numbers of boxes such that the first overlaps the sum of the others (or touches it)."""
+    """Yield indices of boxes; the first overlaps (or touches) the sum of the other two."""
     trees = tuple(tree(boxes, range(len(boxes))) for boxes in (one, other, more))
     stack = [trees] if all(trees) else []
     while stack:
@@ -327,7 +327,7 @@ def solid(name: str, rings: Rings, pieces: Rings, least: int = 1) -> Rings:
     need(len(pieces) >= least, f"{name}: no pieces")
     around, boxes, left = [*map(edges, pieces)], [*map(box, pieces)], Counter[Any]()
     for k, points in enumerate(pieces):
-        need(is_convex(points), f"{name}, piece {k}: not convex, counter-clockwise", points[0])
+        need(is_convex(points), f"{name}, piece {k}: not convex and counter-clockwise", points[0])
     for p, q, line in chain(*around, *(edges(points[::-1]) for points in rings)):
         left.update({(canonical(line), p): 1, (canonical(line), q): -1})
     wrong = [p for (_, p), times in left.items() if times][:1]
@@ -539,7 +539,7 @@ def find_body(given: Any, cut: Rings, distance: Rational, frame: Ring | None) ->
     need(is_body, f"{name}: neither a shape nor rounded pieces alone, one for a container")
     for e in rounded:
         is_piece = is_convex(e.points) if len(e.points) > 2 else e.points
-        need(is_piece, f"{e.name}: not convex, counter-clockwise", *e.points[:1])
+        need(is_piece, f"{e.name}: not convex and counter-clockwise", *e.points[:1])
     solids = [([level(e.points)], e.radius if is_part else -e.radius) for e in rounded]
     if given.exterior:
         solids = [(rings_of(given, None if is_part else frame or []), 0)]

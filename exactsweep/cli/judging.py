@@ -2,9 +2,9 @@
 
 (1) Of the shapes in an undecided fault, only those with the greatest error are flattened again. A
     part has one error, so all of its curves become finer.
-(2) A tenth of the error needs about 10^(1/2) times the vertices, so the last flattening costs more
-    than all others. A budget limits the total number of vertices; the cheapest faults come first,
-    and faults beyond the budget stay undecided.
+(2) A tenth of the error needs about 10^(1/2) times as many vertices, so the last flattening costs
+    more than all others. A budget limits the total number of vertices; the cheapest faults come
+    first, and faults beyond the budget stay undecided.
 (3) Until the budget is spent, only placements of undecided faults are judged again.
 """
 

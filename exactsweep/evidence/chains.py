@@ -3,8 +3,8 @@
 (1) For each known edge, of a loop or a fit, list sums with a side along it; prefer those with sides
     along the most known edges.
 (2) Each side of a listed sum is covered from its start to its end by, in order of preference, known
-    edges, the sum that covered the end of the last side, the largest listed sum, or the largest sum
-    of all, which is then listed.
+    edges, the sum that covered the end of the last side, the largest listed sum, or the largest
+    unlisted sum, which is then listed.
 (3) An uncovered interval is a slit. Slits count as known edges.
 """
 
@@ -50,7 +50,7 @@ class Covering(NamedTuple):
 
 
 def find_evidence(sums: Sums, known: Sequence[DirectedSegment]) -> Covering:
-    """Find sums whose sides are covered by each other, known edges and slits.
+    """Find sums whose sides are covered by known edges, slits and one another.
 
     `known` contains fits, and the edges of loops with the sums on their left; if these are not the
     boundary of the sums, the Covering proves nothing.

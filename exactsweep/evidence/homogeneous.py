@@ -65,7 +65,7 @@ def find_between(p: Node, q: Node, parameter: Fraction) -> Node:
 
 
 def is_right(side: DirectedSegment, other: DirectedSegment) -> bool:
-    """Decide whether a segment lies entirely right of the line of another one."""
+    """Decide whether a segment lies entirely right of the line of another."""
     (a, b, c), (x, y, w), (u, v, z) = side.line, other.start, other.end
     return a * x + b * y + c * w < 0 and a * u + b * v + c * z < 0
 

@@ -1,4 +1,4 @@
-"""The overlap of two shapes in place: verdict, area, witness, and the shortest separating move."""
+"""Overlap of two fixed shapes: verdict, area, witness, and the shortest separating move."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ from exactsweep.numbers.number import ORIGIN, Area, Edge, Point
 
 @dataclass(frozen=True, repr=False)
 class Overlap:
-    """The relation of two shapes in place; made by `overlap`.
+    """The relation of two shapes at fixed positions; see `exactsweep.overlap`.
 
     Each property is computed on first access, exactly. Two overlaps are equal if their shapes are.
 

@@ -27,7 +27,7 @@ _PointList = Iterable[Iterable[object]]
 
 
 def add_proof(claim: dict[str, Any]) -> dict[str, Any]:
-    """Return the certificate of a claim; if it is a certificate, its proof is replaced.
+    """Return a claim with a new proof, as a certificate; any old proof is replaced.
 
     Cost: as for `cut_to_convex`, plus O(1) clipped segments for each side of a listed sum, and O(1)
     for each known edge and each sum whose box touches it.

@@ -29,7 +29,7 @@ class Sums:
 
     Sum i n + j adds piece i of the first shape, a convex counter-clockwise ring or a segment, and
     piece j of the n pieces of the second shape, a ring of points with w = 1. The open half-planes
-    left of the segments `beyond` follow; they count as sums with one side.
+    left of the segments in `beyond` are numbered after these, as sums with one side.
     """
 
     def __init__(

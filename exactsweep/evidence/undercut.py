@@ -5,7 +5,7 @@ on the other. They meet at the extreme contact points. For a convex G, the botto
 of G in one position (Figure 7a), or a piece of an edge of G that can slide along itself while it
 touches both points (Figure 7b). A monotone G may need several positions.
 
-G draws the bottom chain as it moves along the trajectory T. An edge of the chain is a piece of an
+G traces the bottom chain as it moves along the trajectory T. An edge of the chain is a piece of an
 edge of G at a vertex of T, or of the path of a vertex or an edge of G along a parallel edge of T.
 """
 
@@ -53,7 +53,7 @@ class Undercut(NamedTuple):
 
 
 class TracedPiece(NamedTuple):
-    """A segment that G draws at a vertex or along an edge of T, with its positions."""
+    """A segment that G traces at a vertex or along an edge of T, with its positions."""
 
     positions: tuple[Vertex, ...]
     piece: Segment
@@ -64,7 +64,7 @@ class TracedPiece(NamedTuple):
 
 
 class Tracer(NamedTuple):
-    """The trajectory T and the generatrix G, which draws along it."""
+    """The trajectory T and the generatrix G, which moves along it."""
 
     path: Outline
     generatrix: Outline
@@ -95,7 +95,7 @@ class Tracer(NamedTuple):
         return [own for own in self.generatrix.pieces if own.direction == whole.direction]
 
     def choose(self, whole: Segment) -> list[TracedPiece]:
-        """Choose a few drawn pieces that cover an edge; raise ExactSweepError if there are none.
+        """Choose a few traced pieces that cover an edge; raise ExactSweepError if there are none.
 
         The search tries edges of G that share an end with it; then vertices and edges of G along
         edges of T; then other edges of G.
@@ -112,10 +112,10 @@ class Tracer(NamedTuple):
             chosen = choose_cover(whole, [(d.piece, k) for k, d in enumerate(tried)])
             if chosen is not None:
                 return [tried[k] for k in chosen]
-        raise ExactSweepError("no feature of the generatrix draws this edge")
+        raise ExactSweepError("no feature of the generatrix traces this edge")
 
     def draw_along(self, whole: Segment) -> Iterator[TracedPiece]:
-        """Yield the pieces that vertices and edges of G draw along edges of T."""
+        """Yield the pieces that vertices and edges of G trace along edges of T."""
         u = whole.direction
         pens = [
             own if own.direction == u else lay_point(vertex, u)
@@ -127,7 +127,7 @@ class Tracer(NamedTuple):
                 yield TracedPiece(self.path.edge(k), whole._replace(low=low, high=high))
 
     def draw_at(self, whole: Segment) -> Iterator[TracedPiece]:
-        """Yield the pieces that edges of G draw at vertices of T."""
+        """Yield the pieces that edges of G trace at vertices of T."""
         stops = sorted(self.path.vertices, key=lambda t: measure_along(whole.direction, t))
         for own, t in product(self._list_edges(whole), stops):
             drawing = _draw_at(t, own)
@@ -151,8 +151,8 @@ def find_closing_positions(
     whole, *others = edges = list(map(make_segment, pairwise(bottom)))
     if not others and (closing := tracer.find_slide(whole)):
         return "point" if len(closing) == 1 else "segment", closing
-    # Inside an edge of T, only a parallel edge of G draws. So G closes a bent chain at a vertex of
-    # T, with a vertex of G at each bend.
+    # Inside an edge of T, only a parallel edge of G traces one. So G closes a bent chain at a
+    # vertex of T, with a vertex of G at each bend.
     for drawing in tracer.draw_at(whole):
         (t,) = drawing.positions
         if drawing.covers(whole) and all(tracer.covers_at(t, edge) for edge in others):

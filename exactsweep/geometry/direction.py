@@ -129,7 +129,7 @@ class Directions:
         return " and ".join(arcs) or "no direction"
 
     def _last_up_to(self, direction: Vector) -> int:
-        """Return the index of the last critical direction up to this one; -1 before all."""
+        """Return the index of the last critical direction up to this one, or -1 if none."""
         key = slope_key(reduce_direction(direction))
         return bisect_right(self.critical, key, key=slope_key) - 1
 

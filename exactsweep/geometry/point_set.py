@@ -272,7 +272,7 @@ class PointSet:
 
     @property
     def __geo_interface__(self) -> GeoJson:
-        """The shape as a GeoJSON Polygon, as in `shapely.geometry.shape(polygon)`.
+        """The shape as a GeoJSON Polygon, as used by `shapely.geometry.shape(polygon)`.
 
         Coordinates are ints or floats if these are exact, otherwise Fractions.
         """

@@ -238,7 +238,7 @@ def _check(exterior: Polygon, holes: Sequence[Polygon]) -> None:
     for pair in find_near([shape.box for shape in shapes[1:]]):
         inner, outer = sorted((k + 1 for k in pair), key=lambda k: polygons[k].area)
         one, other = shapes[inner], shapes[outer]
-        # No edges cross, so a hole only partly inside another one touches it more than once, which
+        # No edges cross, so a hole only partly inside another touches it more than once, which
         # `_refuse_parted` rejects.
         is_nested = EdgeIndex([*one.rings, *other.rings]).box == other.box
         if is_nested and relate(one, other) is Relation.OVERLAP:

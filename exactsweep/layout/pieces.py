@@ -1,4 +1,4 @@
-"""Convex pieces: boxes, intersections, separating normals, and pieces of the outside.
+"""Convex pieces: boxes, intersections, separating normals, and pieces of the complement.
 
 (1) If the interiors of two convex pieces are disjoint, the line of some edge separates them.
 (2) If the nearest points p and q of two convex pieces are d > 0 apart, the strip of width d between

@@ -28,8 +28,8 @@ from exactsweep.numbers.digits import find_magnitude
 from exactsweep.numbers.number import ORIGIN, Point
 
 _ROUNDS, _SINGLE_ROUNDS, _SWEEPS, _UPDATES = 24, 3, 4000, 4 * 10**6
-# Relative extra room for faults, so that rounded moves are free, and the share of it that sweeps
-# and rounding may use.
+# Extra clearance relative to the fault, so that rounded moves remain valid, and the share of it
+# that sweeps and rounding may use.
 _MORE, _NEARLY = Fraction(1, 2**7), Fraction(1, 2**3)
 # Overlaps deeper than this fraction of the smallest part's size are repaired singly.
 _DEEP = Fraction(1, 2**6)
@@ -51,7 +51,7 @@ class _Condition(NamedTuple):
 
 
 class RepairedLayout(NamedTuple):
-    """A valid layout near another one, and the moves by placement index."""
+    """A valid layout near a given one, and the moves by placement index."""
 
     layout: Layout
     moves: dict[int, Point]

@@ -165,7 +165,7 @@ def split(loop: Sequence[Vertex]) -> tuple[list[Vertex], list[Vertex]]:
 
 
 def precedes(first: Break | HomogeneousPoint, second: Break | HomogeneousPoint) -> bool:
-    """Decide whether a break or a point lies left of another one."""
+    """Decide whether a break or a point lies left of another."""
     return first[0] * second[-1] < second[0] * first[-1]
 
 

@@ -117,7 +117,7 @@ def find_contact_segments(
     )
     ranked = [[[(angle(edge), edge) for edge in ring] for ring in rings] for rings in shapes]
     spans: defaultdict[Line, list[_Span]] = defaultdict(list)
-    # The edges of one shape face the vertices of the other one.
+    # The edges of one shape face the vertices of the other.
     for (faced, facing_rings), rings in ((ranked, moving), (ranked[::-1], stationary)):
         order = sorted(chain.from_iterable(faced), key=itemgetter(0))
         # Two turns, so that each range of directions is one slice.

@@ -48,7 +48,7 @@ def find_undercuts(loop: Sequence[Vertex], directrix: Sequence[Vertex]) -> list[
             along |= {tuple(points), tuple(points[::-1])}
 
     def cut(ring: Sequence[Vertex]) -> Iterator[Edge]:
-        """Yield the pieces of a boundary that do not run along the other one."""
+        """Yield the pieces of a boundary that do not run along the other."""
         for p, q in _list_edges(ring):
             points = sorted({p, q, *shared[p, q]}, reverse=q < p)
             yield from (piece for piece in pairwise(points) if piece not in along)

@@ -151,7 +151,7 @@ def _name_tracks(
 
 
 def track_stops(s: SweepAnswer, listed: Sequence[Track]) -> tuple[list[list[Stop]], bool]:
-    """Return the stops of each track, and whether meetings of two vertices are included."""
+    """Return the stops of each track, and whether vertex-vertex contacts are included."""
     meetings = find_meetings(s, sum(len(track.corners) for track in listed))
     loops = [track.corners for track in listed if len(track.corners) > 1]
     return _cut_tracks(listed, cut_loops(s, loops), _landmarks(s), meetings), meetings is not None

@@ -85,7 +85,7 @@ def test_invalid_pairs_do_not_affect_others(tmp_path: Path) -> None:
     found = records(path)
     assert [record["index"] for record in found] == [0, 1, 2, 3, 4]
     assert found[1]["error"] == "line 1, column 1: not JSON: Expecting value"
-    assert found[2]["error"] == "the line has more than 16 MiB (max_mib)"
+    assert found[2]["error"] == "the line is longer than 16 MiB (max_mib)"
     assert found[0] == found[3] | {"index": 0} == found[4] | {"index": 0}
 
 

@@ -139,10 +139,10 @@ PART, OUTSIDE = ("layout", "parts", 0), ("layout", "container")
 ALONE = "neither a shape nor rounded pieces alone"
 CHANGES: dict[str, tuple[Any, str]] = {
     "no pieces": (((*PART, "pieces"), []), f"parts[0]: {ALONE}"),
-    "no points": (((*PART, "pieces", 0, "points"), []), "not convex, counter-clockwise"),
+    "no points": (((*PART, "pieces", 0, "points"), []), "not convex and counter-clockwise"),
     "a clockwise ring": (
         ((*PART, "pieces", 0, "points"), rect(0, 0, 1, 1)[::-1]),
-        "not convex, counter-clockwise",
+        "not convex and counter-clockwise",
     ),
     "a radius below 0": (((*PART, "pieces", 0, "radius"), "-1"), "radius: below 0"),
     "also an exterior": (((*PART, "exterior"), rect(0, 0, 1, 1)), ALONE),

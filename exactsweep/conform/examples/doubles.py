@@ -106,7 +106,7 @@ def place_edges(edges: ComplexRings, corners: ComplexRings) -> list[ComplexLine]
 
 
 def find_cuts(line: ComplexLine, other: ComplexLine, near: float) -> list[float]:
-    """Find the parameters on a line, from 0 to 1, where another one crosses it or ends on it."""
+    """Find the parameters on a line, from 0 to 1, where another line crosses it or ends on it."""
     (p, q), (r, s) = line, other
     if min(r.real, s.real) > max(p.real, q.real) + near or (
         max(r.real, s.real) < min(p.real, q.real) - near

@@ -140,7 +140,7 @@ def are_close(
 ) -> bool:
     """Decide whether the regions of two sets of rings are closer than a bound; 0 tests equality.
 
-    The second boundary may also be close to the segments `besides`. The result is False if the
+    The second boundary may also be close to segments in `besides`. The result is False if the
     difference has too many trapezoids.
 
     >>> ring = [Point(Fraction(x), Fraction(y)) for x, y in [(0, 0), (9, 0), (9, 9), (0, 9)]]

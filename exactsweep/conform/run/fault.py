@@ -117,7 +117,7 @@ def name_fault(
     if worst is not None:
         said = [_name_difference(worst)]
     elif reason.startswith(_ENDED):
-        # The reason has a shortened error.
+        # The reason contains only a shortened error.
         said = [reason.partition(";")[0], _mask_values(find_error(stderr)), find_place(stderr)]
     else:
         said = [_mask_values(reason), find_place(stderr)]

@@ -119,7 +119,7 @@ def read_hello(line: str) -> Hello:
 
 
 def write_case_line(case: Case, hello: Hello) -> str:
-    """Write the line of a case, without its end, for a program with this hello."""
+    """Format a case as a line, without the newline, for a program with this hello."""
     is_double = hello.numbers == "binary64"
 
     def ring(points: Iterable[Point]) -> list[list[str]]:

@@ -23,7 +23,7 @@ class Stream:
     """The output of a program: a hello, then answers, one per line."""
 
     def __init__(self, file: BinaryIO) -> None:
-        # A line that is too long is cut, which makes it invalid.
+        # A line that is too long is truncated, which makes it invalid.
         self._lines = (line.decode("utf-8", "replace").rstrip("\n") for line in split_lines(file))
         self.complaints: list[str] = []
         hello = next(self._lines, None)

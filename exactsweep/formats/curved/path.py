@@ -68,7 +68,7 @@ class Path:
         self.points = [*points]
         self.error = error  # of points and curves
         self.gap = Fraction(0)  # the distance by which ends were moved to other lines
-        self.curves = {} if curves is None else curves  # each with its direction, by its start
+        self.curves = {} if curves is None else curves  # curve and direction by start index
         self.soft: set[int] = set()  # points that may be rounded, such as spline joints
         self._lines: tuple[Fraction, list[Point]] | None = None
 

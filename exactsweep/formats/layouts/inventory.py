@@ -76,9 +76,9 @@ def read_inventory(path: str, reading: Reading) -> list[WantedPart]:
 
 
 def compare_inventory(found: FoundLayout, wanted: Sequence[WantedPart]) -> FoundLayout:
-    """Make a layout of the wanted parts, so that missing, surplus or changed parts are faults.
+    """Make a layout of the required parts, so that missing, surplus or changed parts are faults.
 
-    A part of the layout congruent to a wanted part is replaced by a placement of it. A nearly
+    A part of the layout congruent to a required part is replaced by a placement of it. A nearly
     congruent part also meets the demand, but keeps its shape. Other parts are surplus.
     """
     parts: dict[str, Data] = {part["id"]: part for part in found.data["parts"]}
@@ -140,7 +140,7 @@ def compare_inventory(found: FoundLayout, wanted: Sequence[WantedPart]) -> Found
 def _find_match(
     part: Data, wanted: Sequence[WantedPart], left: dict[str, int]
 ) -> tuple[WantedPart, Data | None] | None:
-    """Find the wanted part for a part of the layout, and its placement if exactly congruent."""
+    """Match a part of the layout with a required part; add its placement if exactly congruent."""
     found: tuple[WantedPart, Data | None] | None = None
     for one in sorted(wanted, key=lambda one: not _is_named(part["id"], one.name)):
         try:
@@ -157,7 +157,7 @@ def _find_match(
 
 
 def _is_alike(wanted: WantedPart, part: Data) -> bool:
-    """Return whether a wanted part and a curved shape have equal areas within their errors."""
+    """Return whether a required part and a curved shape have equal areas within their errors."""
     error = wanted.error + Fraction(str(part.get("error", 0)))
     if not error or "pieces" in part:
         return False

@@ -36,7 +36,7 @@ def edge_positions(s: Sweep) -> Iterator[tuple[Point, Point, Point]]:
 
 
 def touches_without_overlap(pair: SweepPair) -> Iterator[str]:
-    """On the trajectory G touches D; just inside G overlaps D, and just outside G is free."""
+    """On the trajectory, G touches D; just inside it, G overlaps D; just outside, G is free."""
     s = sweep(*pair)
     for vertex in s.trajectory.vertices:
         if classify(s.directrix, s.generatrix, vertex).verdict != "CONTACT":
@@ -106,7 +106,7 @@ def swept_by_contact(s: Sweep, p: Point) -> bool:
 
 
 def area_is_covered(pair: SweepPair) -> Iterator[str]:
-    """Of 36 points, G covers from the trajectory exactly those between the loops."""
+    """Among 36 points, G sweeps exactly those between the inner and outer loop."""
     s = sweep(*pair)
     yield from compare_loops(s, "inner", "outer")
     if s.area != s.outer.area - s.inner.area:

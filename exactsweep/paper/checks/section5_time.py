@@ -112,7 +112,7 @@ def _sub_trajectories(chains: Chains) -> list[Graph]:
 
 
 def inner_again(chains: Chains, trajectory: Graph) -> list[Vertex]:
-    """Compute the inner boundary as printed, by Trajectory_MM along the whole inside of T."""
+    """Compute the inner boundary as printed, by Trajectory_MM along the inside of all of T."""
     bottom, path = inverse(chains.top), list(trajectory)
     found = kernel.slide_inside(bottom, path, kernel.merge_sub_trajectories)
     return clip_to(found, chains.directrix)
@@ -123,7 +123,7 @@ def inner_by_gaps(chains: Chains, trajectory: Graph) -> list[Vertex]:
 
 
 def sweep_again(pair: SweepPair, inner: Inner = inner_again) -> int:
-    """Count the operations in addition to the trajectory if the whole inside of T is swept."""
+    """Count the operations after the trajectory if the whole of T is swept from inside."""
     chains = counting.count_chains(pair)
     return counting.count_operations(inner, chains, kernel.trajectory_mm(*chains[::2]))
 

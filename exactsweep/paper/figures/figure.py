@@ -21,7 +21,7 @@ class PaperFigure(NamedTuple):
 
     `facts` are its statements, as pairs of a name and a value; `laws` are triples of a name, a
     value, and the value by another method. `shapes` are points, chains and lists of chains, `words`
-    are labels; "a_name" is a name for panel a only. `sweeps` come with the drawn positions of G.
+    are labels; "a_name" is a name for panel a only. `sweeps` are paired with drawn positions of G.
     """
 
     facts: Sequence[tuple[str, object]] = ()

@@ -49,7 +49,7 @@ class Widths(NamedTuple):
 
 
 def _measure(s: Sweep) -> Iterator[Widths]:
-    """Yield the widths at the midpoints of the lower edges with rational length, if both exist."""
+    """Yield both widths, where they exist, at the midpoints of lower edges of rational length."""
     corners = invert_generatrix(s).vertices
     for p, q in pairwise(s.trajectory.vertices):
         length = find_root((q.x - p.x) ** 2 + (q.y - p.y) ** 2)

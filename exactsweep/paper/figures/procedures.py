@@ -101,7 +101,7 @@ def _box(name: str, place: Vertex) -> list[Vertex]:
 
 
 def _find_exit(middle: Vertex, rim: list[Vertex], towards: Vertex) -> Vertex:
-    """Return the point where the line from the center of a box to another one leaves the box."""
+    """Return the point where the line from the center of a box to another point leaves the box."""
     (x, y), (dx, dy) = middle, (towards[0] - middle[0], towards[1] - middle[1])
     wide, high = rim[2][0] - x, rim[2][1] - y
     share = min(abs(Fraction(size) / step) for size, step in ((wide, dx), (high, dy)) if step)
