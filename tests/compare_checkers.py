@@ -55,7 +55,7 @@ def draw(rng: Random, changes: int) -> Iterator[tuple[str, Any]]:
 
 
 def compare(certificate: Any, seconds: float) -> str:
-    """Return the answers of both checkers, as one of a few phrases."""
+    """Compare the answers of both checkers, as one of a few phrases."""
     try:
         prove(certificate)
     except Refused as refused:

@@ -72,7 +72,7 @@ def draw_pair(rng: Random, has_direction: bool) -> tuple[Any, Any]:
 
 
 def draw(rng: Random) -> Iterator[Certificate]:
-    """Draw certificates of related pairs: of one polygon that moves and two that stay."""
+    """Draw certificates of related pairs: one moving polygon and two stationary ones."""
     has_direction = rng.random() < 0.5
     g, d = draw_pair(rng, has_direction)
     for still in (d, draw_pair(rng, has_direction)[1]):

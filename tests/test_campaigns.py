@@ -45,7 +45,7 @@ def test_every_family_of_shapes_agrees_with_the_definition(family: str) -> None:
 @pytest.mark.skipif(
     importlib.util.find_spec("pysfcgal") is None, reason="pysfcgal is not installed"
 )
-def test_another_program_agrees() -> None:
+def test_sfcgal_agrees() -> None:
     failures = [failure for _, failure in campaign.by_sfcgal("small", 2, range(10))]
     assert failures.count("") > 5
     assert all(failure.startswith("crashes") for failure in failures if failure)
@@ -96,7 +96,7 @@ def test_an_error_is_a_mismatch() -> None:
 
 
 def test_a_failing_pair_is_shrunk() -> None:
-    """A failure that needs a reflex corner of D is reduced to a smallest polygon with one."""
+    """A failure that requires a reflex vertex of D is reduced to a smallest polygon with one."""
     least = shrink(SmallPair(SLOT, CAVE), lambda pair: not Polygon(pair.directrix[0]).is_convex)
     assert [len(ring) for shape in least for ring in shape] == [3, 4]
 

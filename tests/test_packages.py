@@ -151,7 +151,7 @@ def test_cycles_are_found() -> None:
     assert {*circle({"a": {"b"}, "b": {"c"}, "c": {"b"}})} == {"b", "c"}
 
 
-# The checker of all certificates is one file, to be carried away.
+# The standalone checker is a single file by design.
 MOST_LINES = {"check.standalone": 750}
 
 

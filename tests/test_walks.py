@@ -136,7 +136,7 @@ def test_walks_of_the_page_are_current() -> None:
 @pytest.mark.parametrize(
     "title", mostly_long(WALKS, [title for title in WALKS if "claim" not in title])
 )
-def test_calls_take_the_walk(title: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_calls_follow_the_walk(title: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(workers, "LocalProcesses", Here)
     seen = follow(WALKS[title], tmp_path)
     assert find_misstep(list_walks()[title], seen) is None

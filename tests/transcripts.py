@@ -66,7 +66,7 @@ def _run_line(line: str) -> Iterator[str]:
         text = ""
     yield from _COMMON_POINT.sub(r"\1...", text).splitlines()
     if code == _WRONG_USAGE:
-        # The lines before are click's.
+        # click writes the lines before.
         errors = errors[errors.index("Error: ") :]
     yield from (f"! {output}" for output in errors.splitlines())
     if code:

@@ -47,7 +47,7 @@ def find_words(
         strings: whether strings count that are not docstrings.
     """
     for line, prose in _list_pages(text) if suffix == ".md" else _list_tokens(text, strings):
-        # A phrase may continue in the next line.
+        # A phrase may continue on the next line.
         flat = re.sub(r"\s*\n\s*#?\s*", lambda gap: " " * len(gap[0]), prose)
         flat = re.sub(r"(?<=\S) {2,}(?=\S)", " ", flat)
         for match in _LISTED.finditer(flat):

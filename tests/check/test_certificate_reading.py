@@ -38,7 +38,7 @@ def list_places(item: Any, path: tuple[Any, ...] = ()) -> list[tuple[Any, ...]]:
 
 
 @pytest.mark.parametrize("name", ["cave", "SS", "island", "layout"])
-def test_every_certificate_is_refused_or_proved(name: str) -> None:
+def test_every_certificate_is_rejected_or_proved(name: str) -> None:
     rng = Random(name)
     certificate = two_ls() if name == "layout" else certificates()[name]
     places = list_places(certificate)[1:]
@@ -57,13 +57,13 @@ def test_every_certificate_is_refused_or_proved(name: str) -> None:
 @pytest.mark.parametrize(
     "item", [*JUNK[:-3], object(), type, lambda: 0], ids=lambda i: str(type(i))
 )
-def test_other_values_are_refused(item: Any) -> None:
+def test_other_values_are_rejected(item: Any) -> None:
     verdict = verify(item)
     assert not verdict.proved
     assert not verify({**two_ls(), "layout": item}).proved
 
 
-def test_recursive_lists_are_refused() -> None:
+def test_recursive_lists_are_rejected() -> None:
     ring: list[Any] = []
     ring += [ring] * 3
     certificate: Certificate = {**two_ls(), "turns": ring}
@@ -83,7 +83,7 @@ class Liar(str):
 
 
 @pytest.mark.parametrize("key", ["format", "claim"])
-def test_non_json_types_are_refused(key: str) -> None:
+def test_non_json_types_are_rejected(key: str) -> None:
     certificate = certificates()["cave"]
     assert not verify({**certificate, key: Liar("no_fit")}).proved
     assert not verify({**certificate, "version": 3.0}).proved
@@ -125,7 +125,7 @@ def test_letters_that_json_escapes_do_not_raise_the_limit() -> None:
     assert len(limits) == 1
 
 
-def test_duplicate_keys_are_refused() -> None:
+def test_duplicate_keys_are_rejected() -> None:
     text = json.dumps(two_ls())
     assert prove(load(text))
     with pytest.raises(Refused, match="duplicate key"):

@@ -1,4 +1,4 @@
-"""`classify` compared with slabs between all abscissas of vertices and crossings, and by hand."""
+"""`classify` compared with slabs between abscissas of vertices and crossings; known verdicts."""
 
 from fractions import Fraction
 from itertools import pairwise, product
@@ -175,7 +175,7 @@ def test_interlocked_combs_touch_and_then_overlap() -> None:
     assert check(comb, other, (1, Fraction(-1, 10**9))) == "OVERLAP"
 
 
-def test_invalid_input_is_refused() -> None:
+def test_invalid_input_is_rejected() -> None:
     with pytest.raises(PolygonError):
         classify([(0, 0), (1, 1)], SQUARE, (0, 0))
     with pytest.raises(NumberError):
@@ -265,7 +265,7 @@ def test_a_position_must_be_a_pair(position: object) -> None:
 
 
 def test_witnesses_are_inside_both() -> None:
-    """On a small grid, rays from a corner run along edges."""
+    """On a small grid, rays from a vertex often run along edges."""
     rng = Random(6)
     found = 0
     for number in range(60):
@@ -289,7 +289,7 @@ def test_witnesses_are_inside_both() -> None:
 
 @pytest.mark.parametrize("hole", [[(2, 2), (8, 8), (8, 2)], [(2, 2), (2, 8), (8, 8)]])
 def test_a_witness_is_not_on_an_edge_along_its_ray(hole: Any) -> None:
-    """From the corner of both squares along the diagonal: halfway to the hole is (1, 1)."""
+    """The ray is the diagonal, which continues along the hole: (1, 1) is halfway to the hole."""
     square = [(0, 0), (10, 0), (10, 10), (0, 10)]
     answer = classify(Region(square, [hole]), square, (0, 0))
     assert answer == Classification("OVERLAP", Point(Fraction(1), Fraction(1)))

@@ -12,7 +12,7 @@ from exactsweep.check import standalone
 
 
 @pytest.mark.parametrize("family", [SHAPES, SUMS, LAYOUTS, ROUNDED])
-def test_falsified_certificates_are_refused(family: Family) -> None:
+def test_falsified_certificates_are_rejected(family: Family) -> None:
     tried, missed = falsify(Random(8), 2, 20, family)
     assert tried.total() == 40
     assert not missed

@@ -114,7 +114,7 @@ def test_both_agree_on_hostile_text(tmp_path: Path) -> None:
 
 
 def valid_layout(**changes: Any) -> Any:
-    """Two squares far apart in a container that is the frame."""
+    """Two distant squares in a container equal to the frame."""
     unit = [["0", "0"], ["1", "0"], ["1", "1"], ["0", "1"]]
     parts = [{"id": "a", "exterior": unit}]
     placements: Any = [{"part": "a", "move": ["0", "0"]}, {"part": "a", "move": ["3", "0"]}]
@@ -174,7 +174,7 @@ def test_a_file_of_large_numbers_is_checked_in_bounded_time(tmp_path: Path) -> N
 
 
 @pytest.mark.parametrize("at", [0, 17 * 10**307, 10**400], ids=["0", "1.7e308", "1e400"])
-def test_both_refuse_an_edge_in_a_sum_wherever_it_is(at: int, tmp_path: Path) -> None:
+def test_both_reject_an_edge_in_a_sum_at_any_position(at: int, tmp_path: Path) -> None:
     one, other = rect(at, at, at + 1, at + 1), rect(at + 1, at, at + 5, at + 1)
     moved = rect(-at, -at, 1 - at, 1 - at)
     pieces = {"directrix": [one, other], "generatrix": [moved]}
@@ -207,7 +207,7 @@ def test_half_planes_are_not_listed_by_number(tmp_path: Path) -> None:
 
 
 def move(chains: Any, count: int) -> Any:
-    """Make room in chains for one more entry in front of those of the half-planes."""
+    """Renumber chains for one more entry before those of the half-planes."""
     return [[m + (m >= count) for m in chain] for chain in chains]
 
 

@@ -18,7 +18,7 @@ LONG = 16000
 
 
 def valid_layout(parts: list[Any], pieces: list[Any], moves: list[Any], **more: Any) -> Certificate:
-    """Certify a layout of parts "0", "1", ...; `moves` has a part and a point for each one."""
+    """Certify a layout of parts "0", "1", ...; `moves` lists parts and translations."""
     proof = {"pieces": pieces + more.pop("outside", [None]), "apart": more.pop("apart", [])}
     if "frame" in more:
         proof["frame"] = more.pop("frame")
@@ -83,7 +83,7 @@ MALFORMED = {
 
 
 @pytest.mark.parametrize("name", MALFORMED)
-def test_keys_of_the_wrong_type_are_refused(name: str) -> None:
+def test_keys_of_the_wrong_type_are_rejected(name: str) -> None:
     assert prove(disc(holes=[], demand=1))
     assert prove(with_faults(disc(), MISSING))
     with pytest.raises(Refused):
@@ -99,7 +99,7 @@ FAR: Any = {"defects": [DEFECT], "outside": [None, None]}
 
 
 def in_a_row(error: str, spacing: str) -> Certificate:
-    """Place points in boxes that a defect's spacing makes overlap."""
+    """Place points in boxes that overlap when grown by the spacing of a defect."""
     moves = [(0, [str(3 * k), "0"]) for k in range(300)]
     return valid_layout([{**discs(1, "0"), "error": error}], [None], moves, spacing=spacing, **FAR)
 

@@ -39,7 +39,7 @@ def test_a_witness_is_halfway_to_the_boundary(notch: list[tuple[int, int]]) -> N
 
 @pytest.mark.parametrize("turns", range(4))
 def test_holes_that_touch_the_exterior_inside_an_edge(turns: int) -> None:
-    """The shape at the point of contact: it fills two angles of an eighth of a turn each."""
+    """At the point of contact, the shape fills two angles of 45 degrees each."""
 
     def turn(points: Any) -> list[Any]:
         for _ in range(turns):

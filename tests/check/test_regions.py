@@ -1,4 +1,4 @@
-"""Regions of inner fits that are false, although the winding number of all their loops is right."""
+"""False regions of inner fits whose loops together have the right winding number."""
 
 import json
 from pathlib import Path
@@ -25,9 +25,9 @@ def regroup(certificate: dict[str, Any], regions: list[Any]) -> dict[str, Any]:
 
 
 def pocket() -> tuple[dict[str, Any], dict[str, Any]]:
-    """A region with a hole, and in the hole a region that touches the middle of an edge.
+    """A region with a hole, and in the hole a region that touches the midpoint of an edge.
 
-    The hole moves from the one to the other.
+    The hole moves from one to the other.
     """
     ring = [(0, 0), (8, -8), (8, 10), (0, 2), (0, 14), (12, 14), (12, -12), (0, -12)]
     box = Region([(-10, -22), (22, -22), (22, 24), (-10, 24)], [ring])
@@ -38,9 +38,9 @@ def pocket() -> tuple[dict[str, Any], dict[str, Any]]:
 
 
 def lenses() -> tuple[dict[str, Any], dict[str, Any]]:
-    """Three regions from one point to another; their six arcs are joined to loops that cross.
+    """Three regions from one point to another, whose six arcs are joined into crossing loops.
 
-    The first loop goes along arcs 1 and 4, the second along 3 and 6, the hole along 2 and 5.
+    The first loop consists of arcs 1 and 4, the second of 3 and 6, the hole of 2 and 5.
     """
     left = [(-4, 0), (-14, 12), (-14, 40), (-4, 40), (-14, 52), (-24, 52), (-24, 0)]
     right = [(0, 0), (20, 0), (20, 20), (4, 25), (-2, 37), (-2, 30), (10, 12)]

@@ -1,4 +1,4 @@
-"""A sample of `python -m tests.slowest`: steps bound the work on certificates made to be slow."""
+"""A sample of `python -m tests.slowest`: the step limit bounds the work on slow certificates."""
 
 import json
 from unittest.mock import Mock, patch

@@ -235,7 +235,7 @@ def test_reasons_name_a_point() -> None:
 
 
 def star() -> tuple[list[Any], list[Any], list[Any]]:
-    """A pentagram, its outline, and its pieces: five tips and the middle."""
+    """A pentagram, its outline, and its pieces: five tips and the pentagon inside."""
     tips = [(Fraction(x), Fraction(y)) for x, y in ((0, 10), (-9, 3), (-6, -8), (6, -8), (9, 3))]
     inner = [meet(tips[k - 1], tips[(k + 1) % 5], tips[k], tips[(k + 2) % 5]) for k in range(5)]
     # inner[k] is between tip k and tip k + 1
@@ -256,12 +256,12 @@ def text(p: Any) -> list[str]:
     return [str(p[0]), str(p[1])]
 
 
-def test_a_shape_with_winding_number_2_is_refused() -> None:
+def test_a_shape_with_winding_number_2_is_rejected() -> None:
     around, outline, pieces = star()
     certificate = json.loads(json.dumps(no_fit_polygon(outline, HOUSE).certificate()))
     assert prove(certificate)
     pentagram = put(certificate, ("directrix", "exterior"), [text(p) for p in around])
-    # The middle counts twice, so that pieces cancel to the pentagram.
+    # The inner pentagon is listed twice, so that pieces cancel to the pentagram.
     cut = certificate["proof"]["directrix"]
     middle = pieces[-1]
     assert "are not apart" in refusal(put(pentagram, ("proof", "directrix"), [*cut, middle]))
@@ -269,7 +269,7 @@ def test_a_shape_with_winding_number_2_is_refused() -> None:
 
 
 def test_groups_of_pieces_are_tested_one_by_one() -> None:
-    """With two separate squares, the loop around one of the two sums proves nothing."""
+    """With two disjoint squares, the loop around one of the two sums proves nothing."""
     square, other = (
         [[f"{x}", f"{y}"] for x, y in ((a, 0), (a + 1, 0), (a + 1, 1), (a, 1))] for a in (0, 9)
     )
@@ -357,7 +357,7 @@ def test_fits_may_have_any_order_and_direction() -> None:
 
 
 def renumbered(certificate: Any, exterior: Any, edges: Callable[[int], list[int]]) -> Any:
-    """The certificate with another list of points of its exterior, and its edges renumbered."""
+    """The certificate with other points for its exterior, and renumbered edges."""
 
     def change_chain(chain: list[int]) -> list[int]:
         return [m for n in chain for m in ([n] if n >= 0 else [-1 - k for k in edges(-1 - n)])]

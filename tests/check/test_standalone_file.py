@@ -57,7 +57,7 @@ def test_the_file_proves_certificates_by_itself(tmp_path: Path) -> None:
     ],
     ids=lambda text: text[:20],
 )
-def test_a_file_without_a_certificate_is_refused_in_one_line(
+def test_a_file_without_a_certificate_is_rejected_in_one_line(
     text: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     path = tmp_path / "certificate.json"

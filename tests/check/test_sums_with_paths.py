@@ -1,4 +1,4 @@
-"""Certificates of sums with paths: both checkers, and attacks by hand."""
+"""Certificates of sums with paths: both checkers, and handmade attacks."""
 
 import copy
 import json
@@ -143,7 +143,7 @@ def test_a_repeated_point_is_not_a_segment() -> None:
 
 @needs_node
 def test_all_parts_of_the_shape_are_covered(tmp_path: Path) -> None:
-    """A hole divides the shape; the sum of one part alone has all sides covered."""
+    """A hole divides the shape; the sum of one part alone covers all sides."""
     left, right = rect(0, 0, 4, 1), rect(6, 0, 9, 1)
     path = [["0", "0"], ["1", "0"]]
     proof = {"shape": [left], "sums": [[0, [[-1], [-2], [-3], [-4]]]], "slits": []}

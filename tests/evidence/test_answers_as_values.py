@@ -1,4 +1,4 @@
-"""Sweeps, no-fit polygons and inner fits as values; refusals that name the polygon."""
+"""Sweeps, no-fit polygons and inner fits as values; errors that name the polygon."""
 
 import copy
 import importlib
@@ -51,7 +51,7 @@ def list_values(answer: Any) -> list[Any]:
 @pytest.mark.parametrize("directrix", [SQUARE, NOTCH, HOLLOW])
 @pytest.mark.parametrize("ask", [sweep, no_fit_polygon, inner_fit_polygon])
 @pytest.mark.parametrize("duplicate", COPIES, ids=["copy", "deepcopy", "pickle"])
-def test_a_copy_tells_the_same(
+def test_copies_report_the_same(
     ask: Callable[..., Any], directrix: Any, duplicate: Callable[[Any], Any]
 ) -> None:
     answer = ask(SQUARE, directrix, reference=(1, 0))
@@ -66,9 +66,7 @@ def test_a_copy_tells_the_same(
 
 @examples(20)
 @given(strategies.simple_polygons(), strategies.simple_polygons(), st.data())
-def test_answers_are_equal_if_the_same_was_asked(
-    g: Polygon, d: Polygon, data: st.DataObject
-) -> None:
+def test_answers_to_equal_questions_are_equal(g: Polygon, d: Polygon, data: st.DataObject) -> None:
     spelled = data.draw(strategies.spellings(g))
     for ask in (sweep, no_fit_polygon, inner_fit_polygon):
         answer: Any = ask(g, d)
@@ -105,7 +103,7 @@ def package_errors() -> list[type[Exception]]:
     return found
 
 
-def test_every_refusal_has_one_base() -> None:
+def test_all_errors_share_one_base() -> None:
     values = {error for error in package_errors() if issubclass(error, ValueError)}
     assert len(values) > 15
     assert {error for error in values if not issubclass(error, ExactSweepError)} == set()
@@ -116,7 +114,7 @@ def test_no_module_raises_a_bare_value_error() -> None:
         assert "raise ValueError(" not in path.read_text(encoding="utf-8"), path
 
 
-def test_pictures_of_a_sweep_have_the_defaults_of_those_who_draw_them() -> None:
+def test_plot_and_view_have_the_defaults_of_the_functions_they_call() -> None:
     drawn: list[tuple[Callable[..., Any], Callable[..., Any]]] = [
         (Sweep.plot, plot_sweep),
         (NoFitPolygon.plot, plot_positions),

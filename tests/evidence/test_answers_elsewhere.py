@@ -79,7 +79,7 @@ def test_paths_and_layouts_become_geometries() -> None:
         to_shapely(Layout.from_json(data))
 
 
-def test_a_coordinate_that_is_no_float_is_named() -> None:
+def test_a_coordinate_that_is_not_a_float_is_named() -> None:
     third = no_fit_polygon(UNIT, UNIT.translated(("1/3", 0)))
     with pytest.raises(FormatError, match=r"^vertex 0: -4/3 is not a float; nearest=True rounds"):
         to_shapely(Polygon(third.exterior))
@@ -141,7 +141,7 @@ def test_counts_in_the_repr_are_singular_for_one() -> None:
     assert repr(inner_fit_polygon(UNIT, UNIT)).endswith("no regions, 1 exact fit>")
 
 
-def test_a_single_placed_shape_is_no_list() -> None:
+def test_a_single_placed_shape_is_rejected() -> None:
     with pytest.raises(PolygonError, match="placed is a single shape; give a list of shapes"):
         free_positions(UNIT, UNIT, UNIT)  # type: ignore[arg-type]
 

@@ -58,8 +58,8 @@ def test_polygons_without_a_common_lattice_have_certificates(is_convex: bool) ->
     assert verify(s.certificate()).proved
 
 
-def test_the_frame_of_an_inner_fit_lies_on_whole_numbers() -> None:
+def test_the_frame_of_an_inner_fit_has_integer_coordinates() -> None:
     part = [("1/3", 0), ("2", 0), ("2", "7/2")]
     fit = inner_fit_polygon([("1/2", "1/2"), ("19/2", "1/2"), ("19/2", "19/2"), (0, "17/2")], part)
-    # The part is 5/3 wide and 7/2 high: 1 and 3, and one and two more.
+    # The part is 5/3 wide and 7/2 high, in whole units 1 and 3; margins are one and two larger.
     assert fit.certificate()["proof"]["frame"] == ["-2", "-4", "12", "14"]

@@ -26,7 +26,7 @@ usually = examples(40)
 
 
 def numbered(polygon: Polygon) -> Polygon:
-    """The polygon as if it had been given in canonical order."""
+    """The polygon with its features numbered in canonical order."""
     return Polygon(iter(polygon.vertices))
 
 
@@ -98,7 +98,7 @@ def lasting(generatrix: Polygon, directrix: Polygon, p: Point, q: Point) -> Foun
 
 @given(any_pair)
 @examples(24)
-def test_contacts_of_each_edge_are_all_that_last(pair: Pair) -> None:
+def test_all_lasting_contacts_of_each_edge_are_found(pair: Pair) -> None:
     generatrix, directrix = pair
     s = sweep(generatrix, directrix)
     assert len(s.contacts) == len(s.trajectory)
@@ -109,7 +109,7 @@ def test_contacts_of_each_edge_are_all_that_last(pair: Pair) -> None:
 
 @given(any_pair)
 @usually
-def test_contacts_of_each_vertex_are_all_there_are(pair: Pair) -> None:
+def test_all_contacts_at_each_vertex_are_found(pair: Pair) -> None:
     generatrix, directrix = pair
     s = sweep(generatrix, directrix)
     assert len(s.vertex_contacts) == len(s.trajectory)
@@ -120,7 +120,7 @@ def test_contacts_of_each_vertex_are_all_there_are(pair: Pair) -> None:
 
 @given(any_pair, own.tiny(1, 6))
 @usually
-def test_contacts_at_any_position_are_all_there_are(pair: Pair, part: int) -> None:
+def test_all_contacts_at_any_position_are_found(pair: Pair, part: int) -> None:
     generatrix, directrix = pair
     s = sweep(generatrix, directrix)
     p, q = edges(s.trajectory)[part % len(s.trajectory)]
@@ -135,8 +135,8 @@ def test_contacts_at_any_position_are_all_there_are(pair: Pair, part: int) -> No
 
 @given(any_pair, st.data())
 @usually
-def test_features_are_numbered_as_given(pair: Pair, data: st.DataObject) -> None:
-    """Reversed, turned, closed, with repeated and with collinear vertices."""
+def test_features_are_numbered_as_in_the_input(pair: Pair, data: st.DataObject) -> None:
+    """Reversed, rotated, closed, with repeated and with collinear vertices."""
     spelled = [data.draw(own.spellings(polygon)) for polygon in pair]
     s, plain = sweep(*spelled), sweep(*pair)
     assert s.trajectory == plain.trajectory
@@ -181,7 +181,7 @@ def test_lasting_contacts_of_a_convex_generatrix_involve_one_edge_of_it(pair: Pa
             assert len({i for _, i, _ in found}) == 1
 
 
-def test_positions_that_are_no_points_are_refused() -> None:
+def test_positions_must_be_points() -> None:
     with pytest.raises(PolygonError, match=r"position is .*, not a pair of numbers"):
         sweep(UNIT, UNIT).contacts_at([1])
 
@@ -204,9 +204,9 @@ def test_contacts_at_all_positions_of_a_grid(g: list[Vertex], d: list[Vertex]) -
         assert find_contacts(Outline([g]), Outline([d]), t) == expected
 
 
-def test_contacts_along_loops_of_positions_as_the_caller_writes_them() -> None:
+def test_contacts_along_loops_of_untyped_positions() -> None:
     s = sweep(UNIT, [(0, 0), (3, 0), (0, 3)])
-    # Along the lower side and back; nowhere; with a stop on the way; no position at all.
+    # Along the lower side and back; without length; with a stop; without a position.
     loops: list[Any] = [[(-1, -1), ("3", "-1")], [(3, 0)], [(-1, -1), (-1, -1), (3, -1)], []]
     below = (("EE", 2, 0),)
     assert [list(found) for found in s.contacts_along(loops)] == [
@@ -219,8 +219,8 @@ def test_contacts_along_loops_of_positions_as_the_caller_writes_them() -> None:
         s.contacts_along([[1, 2]])  # type: ignore[list-item]
 
 
-def test_rings_that_touch_in_a_point_all_have_contacts_there() -> None:
-    """In a former version the hole's corner hid the exterior's."""
+def test_all_rings_that_touch_at_a_point_have_contacts_there() -> None:
+    """A former version reported only the corner of the hole."""
     d = Region([(0, 0), (4, 0), (4, 2), (2, 2), (2, 4), (0, 4)], [[(1, 1), (2, 1), (2, 2), (1, 2)]])
     found = [f"{event}({i},{j})" for event, i, j in sweep(UNIT, d).contacts_at((2, 2))]
     assert found == ["EE(0,2)", "EE(3,3)", "VE(1,2)", "VE(3,3)", "VV(0,3)", "VV(0,8)"]

@@ -34,7 +34,7 @@ def rectilinear_pairs(draw: st.DrawFn) -> Pair:
 
 @given(own.turned_pairs("MM") | own.turned_pairs("CM"))
 @often
-def test_fits_are_those_of_the_definition_in_any_direction(
+def test_fits_match_the_definition_in_any_direction(
     turned: tuple[Polygon, Polygon, tuple[int, int]],
 ) -> None:
     generatrix, directrix, direction = turned
@@ -68,7 +68,7 @@ def test_linear_maps_commute(pair: Pair, matrix: own.Matrix) -> None:
 
 
 def comb(teeth: int) -> list[tuple[int, int]]:
-    """A top chain, from right to left, with gaps of 2 between teeth 6 wide."""
+    """A top chain, from right to left, of teeth 6 wide with gaps of 2."""
     steps = [[(8 * k, 0), (8 * k + 2, 0), (8 * k + 2, 10), (8 * k + 8, 10)] for k in range(teeth)]
     return [vertex for step in steps for vertex in step][::-1]
 
@@ -100,10 +100,10 @@ def test_a_long_comb_is_lifted_with_all_above_it() -> None:
     ],
     ids=["unequal rims", "low in the middle", "a tip", "a tip and a slope"],
 )
-def test_a_lid_goes_up_a_slot_to_the_limit(
+def test_a_lid_slides_up_a_slot_until_it_is_blocked(
     lid: list[tuple[str, int]], ceiling: list[tuple[str, int]], rim: int, fit: tuple[int, int]
 ) -> None:
-    """One unit wide, with its ceiling at 9 at both walls; the lid is at 0 at both of its ends."""
+    """The slot is one unit wide and 9 high at both walls; both ends of the lid are at height 0."""
     top = [(Fraction(x), y) for x, y in [("1", 0), *lid[::-1], ("0", 0)]]
     slot = [("0", 0), ("1", 0), ("1", 9), *ceiling, ("2", 9), ("2", rim), ("4", rim)]
     bottom = [(Fraction(x), y) for x, y in slot]
@@ -114,7 +114,7 @@ def test_a_lid_goes_up_a_slot_to_the_limit(
     assert fits == [((1, hanging), (1, inside))]
 
 
-def test_chains_without_walls_have_but_their_ends_to_compare() -> None:
+def test_chains_without_walls_compare_only_their_ends() -> None:
     def zigzag(size: int) -> list[tuple[int, int]]:
         return [(k, k % 2) for k in range(size)]
 

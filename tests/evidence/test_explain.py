@@ -139,7 +139,7 @@ def test_touches_are_the_contacts_with_their_intervals(s: Sweep) -> None:
 @patient
 @also_known
 @given(any_sweeps())
-def test_a_corner_is_where_g_would_leave_and_a_stop_where_it_would_overlap(s: Sweep) -> None:
+def test_g_turns_before_losing_contact_and_stops_before_overlap(s: Sweep) -> None:
     steps = explain(s)
     for step, following in pairwise([*steps, steps[0]]):
         straight_on = verdict(s, beyond(step.end, vector(step.start, step.end)))
@@ -180,7 +180,7 @@ def test_vertices_of_touching_features_meet_at_a_corner() -> None:
 @patient
 @also_known
 @given(any_sweeps())
-def test_straight_on_into_an_exact_fit_there_is_one(s: Sweep) -> None:
+def test_a_step_that_ends_at_an_exact_fit_points_into_it(s: Sweep) -> None:
     for step in explain(s):
         if step.ending == "exact fit":
             fits = [mark for mark in step.landmarks if mark.mark == "exact fit"]
@@ -247,10 +247,10 @@ def test_every_undercut_is_closed_once(s: Sweep) -> None:
 @patient
 @also_known
 @given(any_sweeps())
-def test_an_undercut_is_begun_before_it_is_done_with(s: Sweep) -> None:
+def test_an_undercut_opens_before_it_closes(s: Sweep) -> None:
     steps = explain(s)
     p, q = s.solution.frame.direction
-    # From the beginning of the lower sweep, wherever the trajectory begins.
+    # Begin at the start of the lower sweep, whatever the first vertex of the trajectory.
     start = min(
         range(len(steps)),
         key=lambda k: (
@@ -312,7 +312,7 @@ def test_features_are_numbered_as_in_the_input(
 @patient
 @also_known
 @given(any_sweeps())
-def test_the_story_tells_every_step_undercut_and_fit(s: Sweep) -> None:
+def test_explanations_cover_all_steps_undercuts_and_fits(s: Sweep) -> None:
     lines = list(describe_steps(s))
     text = "\n".join(lines)
     assert text.isascii()
@@ -336,7 +336,7 @@ def test_an_exact_fit_in_a_hole_is_not_passed() -> None:
     assert [step.landmarks for step in explain(s)] == [()] * 4
 
 
-def test_an_undercut_is_done_with_where_the_last_of_three_positions_is() -> None:
+def test_an_undercut_closes_at_the_last_of_three_positions() -> None:
     g = [(1, -1), (0, -2), (-4, -1), (-5, -2), (-4, -5), (0, -4), (1, -5)]
     s = sweep(g, [(2, 0), (1, -2), (0, 0), (-1, -2), (-2, -4), (-2, -6), (2, -6)])
     marks = [mark for step in explain(s) for mark in step.landmarks]
@@ -350,7 +350,7 @@ def test_an_undercut_is_done_with_where_the_last_of_three_positions_is() -> None
 
 
 def test_landmarks_of_one_step_come_in_the_order_of_travel() -> None:
-    """From right to left, over a slot that fits exactly and then over one too narrow."""
+    """From right to left, over a slot of exact fit and then over one too narrow."""
     d = [(0, 0), (9, 0), (9, 3), (8, 3), (8, 1), (7, 1), (7, 3), (5, 3), (5, 1), ("9/2", 1)]
     s = sweep(SQUARE, [*d, ("9/2", 3), (0, 3)])
     (marks,) = (step.landmarks for step in explain(s) if step.landmarks)

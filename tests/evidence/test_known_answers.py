@@ -1,4 +1,4 @@
-r"""Undercuts, fits and contacts worked out by hand, for shipped pairs.
+r"""Undercuts, exact fits and contacts of shipped pairs, computed by hand.
 
 In all of them the answer takes a few lines of arithmetic. Under a roof of slopes 1 and -1 a square
 is caught by its two upper corners, where the roof is one wide; a kite with slopes 1/2 and -1/2 by
@@ -20,8 +20,8 @@ from exactsweep.paper.kernel import sweep_mm, trajectory_mm
 
 Corners = list[tuple[Any, Any]]
 
-# The undercut, the chain that closes it, how, and the positions of G where it does; the last two
-# are missing where paths close it.
+# The undercut, its bottom chain, the kind of intersection and the closing positions of G; the
+# last two are missing where paths close it.
 UNDERCUTS: dict[str, tuple[Corners, Corners, str, Corners]] = {
     "worked-roof": (
         [("3/2", "3/2"), ("5/2", "3/2"), (2, 2)],
@@ -57,7 +57,7 @@ UNDERCUTS: dict[str, tuple[Corners, Corners, str, Corners]] = {
 
 
 @pytest.mark.parametrize("id", UNDERCUTS)
-def test_an_undercut_is_closed_as_worked_by_hand(id: str) -> None:
+def test_known_undercuts(id: str) -> None:
     case = find_case(id)
     s = case.sweep()
     assert (s.trajectory, s.inner, s.outer) == (case.trajectory, case.inner, case.outer)
@@ -79,16 +79,16 @@ def test_reachable_boundaries_have_no_undercut(id: str) -> None:
     assert (s.trajectory, s.inner, s.outer) == (case.trajectory, case.directrix, case.outer)
 
 
-def test_a_whisker_is_a_fit_and_in_no_loop() -> None:
-    """A horn exactly as wide as D's slot goes up to where its base stops it, from -2 to -1."""
+def test_a_whisker_is_a_fit_and_not_part_of_a_loop() -> None:
+    """A horn exactly as wide as D's slot slides up from -2 until its base is blocked at -1."""
     case = find_case("fits-horn")
     s = case.sweep()
     assert (s.trajectory, s.inner, s.outer) == (case.trajectory, case.inner, case.outer)
     assert s.exact_fits == (points((0, -2), (0, -1)),)
 
 
-def test_contacts_worked_by_hand() -> None:
-    """At the bottom of a slot as wide as G; and under the roof, two vertices on two edges."""
+def test_known_contacts() -> None:
+    """One contact at the bottom of a slot as wide as G, and two vertices on edges of the roof."""
     slot = [(0, 0), (3, 0), (3, 3), (2, 3), (2, 1), (1, 1), (1, 3), (0, 3)]
     s = sweep([(0, 0), (1, 0), (1, 1), (0, 1)], slot)
     assert s.exact_fits == (points((1, 3), (1, 1)),)

@@ -17,7 +17,7 @@ HALF = Fraction(1, 2)
 
 
 def check_positions(directrix: AnyPolygon, generatrix: AnyPolygon, aside: Point) -> None:
-    """At the vertices of loops, the middles of edges and of exact fits, and next to them."""
+    """Compare at vertices, at midpoints of edges and of exact fits, and next to these."""
     n = no_fit_polygon(directrix, generatrix, reference=(1, 0))
     corners = [vertex for loop in (n.exterior, *n.holes) for vertex in loop]
     ends = list(pairwise(corners)) + list(n.exact_fits)
@@ -33,7 +33,7 @@ steps = st.builds(Point, *[st.sampled_from([-HALF, Fraction(0), HALF, Fraction(2
 
 @settings(max_examples=20)
 @given(simple_polygons(), simple_polygons(), steps)
-def test_positions_of_polygons_are_where_the_definition_says(
+def test_located_positions_of_polygons_match_the_definition(
     d: Polygon, g: Polygon, aside: Point
 ) -> None:
     check_positions(d, g, aside)
@@ -41,7 +41,7 @@ def test_positions_of_polygons_are_where_the_definition_says(
 
 @settings(max_examples=20)
 @given(polyominoes(10, 4), polyominoes(5, 3), steps)
-def test_positions_among_exact_fits_are_where_the_definition_says(
+def test_located_positions_near_exact_fits_match_the_definition(
     d: Cells, g: Cells, aside: Point
 ) -> None:
     check_positions(region(d), region(g), aside)

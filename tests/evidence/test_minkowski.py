@@ -1,4 +1,4 @@
-"""Minkowski sums: answers by hand, laws, and the definition at single points."""
+"""Minkowski sums: known answers, laws, and the definition at single points."""
 
 from collections import Counter
 from fractions import Fraction
@@ -25,10 +25,10 @@ def box(left: int, low: int, right: int, high: int) -> list[tuple[int, int]]:
     return [(left, low), (right, low), (right, high), (left, high)]
 
 
-def test_sums_by_hand() -> None:
+def test_known_sums() -> None:
     assert minkowski_sum(SQUARE, SQUARE) == Region(box(0, 0, 4, 4))
     assert minkowski_sum(SQUARE, [(0, 0), (1, 0), (0, 1)]).area == 4 + 2 + 2 + Fraction(1, 2)
-    # A frame with a hole, and a square that fits into the hole with room, exactly, and not.
+    # A frame, and squares smaller than its hole, equal to it and larger.
     frame = Region(box(0, 0, 6, 6), [box(2, 2, 4, 4)])
     assert minkowski_sum(frame, box(0, 0, 1, 1)) == Region(box(0, 0, 7, 7), [box(3, 3, 4, 4)])
     assert minkowski_sum(frame, SQUARE) == Region(box(0, 0, 8, 8))
@@ -44,9 +44,7 @@ def test_sums_by_hand() -> None:
         (SQUARE, [(0, 0), (3, 3), (0, 0)], 6, 4 + 12),
     ],
 )
-def test_sums_with_paths_by_hand(
-    shape: Path, path: Path, corners: int, area: Fraction | int
-) -> None:
+def test_known_sums_with_paths(shape: Path, path: Path, corners: int, area: Fraction | int) -> None:
     found = minkowski_sum(shape, Polyline(path))
     assert (len(found), found.area, found.holes) == (corners, area, ())
     assert minkowski_sum(Polyline(path), shape) == found
@@ -55,7 +53,7 @@ def test_sums_with_paths_by_hand(
 def test_a_path_around_leaves_a_hole() -> None:
     around = Polyline(box(0, 0, 9, 9), closed=True)
     assert minkowski_sum(SQUARE, around) == Region(box(0, 0, 11, 11), [box(2, 2, 9, 9)])
-    # Open, it leaves the same hole where the square closes the gap, and none where it does not.
+    # The open path leaves the same hole if the square closes the gap, and none otherwise.
     assert minkowski_sum(SQUARE, Polyline([*box(0, 0, 9, 9), (0, 2)])) == minkowski_sum(
         SQUARE, around
     )
@@ -147,7 +145,7 @@ def meet(one: tuple[Point, Point], other: tuple[Point, Point]) -> bool:
     return max(apart) <= 0
 
 
-def test_points_are_sums_where_the_definition_says() -> None:
+def test_points_of_the_sum_match_the_definition() -> None:
     rng = Random(3)
     seen: Counter[tuple[bool, bool]] = Counter()
     plates = [

@@ -1,4 +1,4 @@
-"""The overlap of two shapes, its area and depth: by hand, and by definition."""
+"""The overlap of two shapes, its area and depth: known answers, and the definition."""
 
 from collections import Counter
 from fractions import Fraction
@@ -37,7 +37,7 @@ def test_two_squares() -> None:
     assert 2 < o.witness.y < 4
 
 
-def test_shapes_in_contact_and_apart() -> None:
+def test_touching_and_disjoint_shapes() -> None:
     o = overlap(SQUARE, box(4, 1, 6, 2))
     assert summary(o) == ("CONTACT", 0, 0, 0)
     assert o.witness is not None
@@ -54,7 +54,7 @@ def test_a_part_in_a_hole_is_free() -> None:
     plate = Region(box(0, 0, 9, 9), [box(2, 2, 7, 7)])
     assert overlap(plate, box(3, 3, 4, 4)).verdict == "FREE"
     assert overlap(plate, box(2, 3, 4, 4)).verdict == "CONTACT"
-    # The least move leads into the hole, which it fills.
+    # The shortest translation moves the shape into the hole, which it fills.
     o = overlap(plate, box(3, 2, 8, 7))
     assert summary(o) == ("OVERLAP", 5, 0, 1)
     assert (o.move,) == points((-1, 0))
@@ -62,7 +62,7 @@ def test_a_part_in_a_hole_is_free() -> None:
 
 
 def test_a_touching_hole_hides_no_witness() -> None:
-    """A hole of b ends in the middle of the longest piece of the common boundary."""
+    """A hole of b touches the midpoint of the longest segment of the common boundary."""
     plate = Region(box(0, 0, 8, 8), [[(4, 0), (3, 4), (5, 4)]])
     o = overlap(box(-9, -9, 20, 20), plate)
     assert o.area == plate.area == 60
@@ -99,7 +99,7 @@ def check(o: Overlap) -> None:
         assert o.witness is not None
         assert a.contains(o.witness)
         assert b.contains(o.witness)
-        # Nearer than that there is overlap.
+        # Shorter translations leave overlap.
         for p, q in [(x, y), (-x, -y), (-y, x), (y, -x)]:
             nearer = Point(p * Fraction(99, 100), q * Fraction(99, 100))
             assert classify(a, b, nearer).verdict == "OVERLAP"

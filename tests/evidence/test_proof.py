@@ -1,4 +1,4 @@
-"""The proofs in certificates: found for every answer, and proved by the standalone checker."""
+"""Proofs in certificates: complete for every answer, and accepted by the standalone checker."""
 
 import json
 from fractions import Fraction
@@ -37,7 +37,7 @@ CROSS = [(1, 0), (2, 0), (2, 1), (3, 1), (3, 2), (2, 2), (2, 3), (1, 3), (1, 2),
 
 
 def prove_all(g: Any, d: Any) -> None:
-    """Prove the three answers about a pair, as they come from a file."""
+    """Prove the three answers about a pair, read from JSON."""
     for answer in (sweep(g, d), no_fit_polygon(d, g), inner_fit_polygon(d, g)):
         assert prove(json.loads(json.dumps(answer.certificate())))
 
@@ -64,7 +64,7 @@ def test_answers_about_shapes_with_holes_that_fit_and_touch_are_proved(draw_pair
 
 @pytest.mark.parametrize("place_at", ["0", "1/7", "100000000000000000000/3", "1e400"])
 @pytest.mark.parametrize("scale", ["1", "1/3", "1e-300", "1e300"])
-def test_any_scale_and_place_are_proved(place_at: str, scale: str) -> None:
+def test_answers_at_any_scale_and_position_are_proved(place_at: str, scale: str) -> None:
     by, times = to_fraction(place_at), to_fraction(scale)
     g, d = ([(times * x + by, times * y - by) for x, y in ring] for ring in (UNIT, SLOT))
     prove_all(g, d)
@@ -72,7 +72,7 @@ def test_any_scale_and_place_are_proved(place_at: str, scale: str) -> None:
 
 @pytest.mark.parametrize("scale", [1, 3, 10])
 def test_cuts_parallel_to_the_trajectory_leave_slits(scale: int) -> None:
-    """The four cuts of a cross are horizontal or vertical, as all edges of its trajectory."""
+    """The four cuts of a cross are horizontal or vertical, like all edges of its trajectory."""
     found = sweep(CROSS, [(scale * x, scale * y) for x, y in SLOT]).certificate()
     assert found["proof"]["slits"]
     assert prove(found)
@@ -88,9 +88,7 @@ def test_single_points_that_no_sum_covers_are_slits() -> None:
 
 @examples(50)
 @given(st.sampled_from(["exterior", "holes", "exact_fits", "inner", "outer"]), st.data())
-def test_finding_a_proof_of_a_wrong_answer_ends_and_it_is_refused(
-    name: str, data: st.DataObject
-) -> None:
+def test_proving_a_wrong_answer_terminates_and_fails(name: str, data: st.DataObject) -> None:
     found = sweep([(0, 0), (1, 0), (0, 1)], SLOT).certificate()
     points = found[name]
     if points and type(points[0][0]) is str:
@@ -115,7 +113,7 @@ nodes = st.builds(to_homogeneous, fractions, fractions)
 
 @often
 @given(st.lists(nodes, min_size=4, max_size=4, unique=True))
-def test_segments_meet_where_both_have_a_point(points: Any) -> None:
+def test_segments_meet_at_common_points(points: Any) -> None:
     side, other = make_side(*points[:2]), make_side(*points[2:])
     span = intersect(side, other)
     back = intersect(other, side)

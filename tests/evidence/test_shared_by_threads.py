@@ -1,4 +1,4 @@
-"""Answers that several threads read at once: results computed twice are equal."""
+"""Answers shared by threads: results computed twice are equal."""
 
 import sys
 from concurrent.futures import ThreadPoolExecutor

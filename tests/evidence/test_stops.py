@@ -17,7 +17,7 @@ DIRECTIONS: list[Vertex] = [*COMPASS, (2, 1), (-1, 2), (-2, -1), (1, -2)]
 
 
 def corner(forward: int, back: int) -> list[Vertex]:
-    """A polygon with its first vertex at the origin, its edges there in two of eight directions."""
+    """A polygon whose first vertex is the origin, with edges there in two of eight directions."""
     size = (back - forward) % 8
     return [(0, 0), *(COMPASS[(forward + k) % 8] for k in range(size + 1))]
 
@@ -28,10 +28,10 @@ def overlaps(d: list[Vertex], g: list[Vertex], t: Vertex) -> bool:
 
 
 @pytest.mark.parametrize(("forward", "size"), [(0, 1), (1, Fraction(1, 9))])
-def test_two_corners_let_each_other_pass_as_the_definition_says(
+def test_a_corner_blocks_another_where_they_would_overlap(
     forward: int, size: Fraction | int
 ) -> None:
-    """Convex and reflex ones, whose edges run along each other, or not."""
+    """Convex and reflex corners, with and without parallel edges."""
     tried = 0
     for d_size, g_first, g_size in product(range(1, 8), range(8), range(1, 8)):
         if 4 in (d_size, g_size) or d_size + g_size > 8:
@@ -49,7 +49,7 @@ def test_two_corners_let_each_other_pass_as_the_definition_says(
 
 @pytest.mark.parametrize("size", [1, Fraction(1, 9)])
 def test_a_corner_on_an_edge_lets_g_pass_along_and_away(size: Fraction | int) -> None:
-    """A corner of the one on the left edge of the other, which runs straight down."""
+    """A corner of one touches the left edge of the other, which runs straight down."""
     square = Outline([[(0, 0), (size, 0), (size, size), (0, size)]])
     for direction in DIRECTIONS:
         on_directrix = blocks(Contact("VE", 2, 3), direction, square, square)

@@ -63,7 +63,7 @@ def test_vertices_of_one_ring_are_read_once(monkeypatch: pytest.MonkeyPatch) -> 
 @each_kind
 @given(st.data())
 @examples(40)
-def test_sweep_is_that_of_the_definition(kind: own.Kind, data: st.DataObject) -> None:
+def test_the_sweep_matches_the_definition(kind: own.Kind, data: st.DataObject) -> None:
     generatrix, directrix, direction = data.draw(own.turned_pairs(kind))
     pair = SmallPair([[*generatrix.vertices]], [[*directrix.vertices]])
     assert find_failure(pair, deep=direction[0] % 2 == 0) == ""
@@ -90,8 +90,8 @@ def test_sweep_is_that_of_the_definition(kind: own.Kind, data: st.DataObject) ->
             [(14, 2), (18, 4), (24, 2), (24, 0), (28, 3), (0, 6)],
             id="break not reduced, wall in the directrix",
         ),
-        # The part of the trajectory left of one on the outer boundary need not be swept; without
-        # it, a later part seemed to be below all that lies right of it.
+        # A part of the trajectory left of one on the outer boundary need not be swept; without
+        # it, a later part seemed to lie below all parts on its right.
         pytest.param(
             [
                 *[(4, -1), (15, -2), (18, 0), (35, -1), (24, 3)],
@@ -166,7 +166,7 @@ def test_direction_does_not_matter(pair: Pair) -> None:
 
 @given(any_pair, own.translations())
 @seldom
-def test_reference_point_moves_the_positions_only(pair: Pair, point: Any) -> None:
+def test_the_reference_point_only_translates_the_positions(pair: Pair, point: Any) -> None:
     s, other = sweep(*pair), sweep(*pair, reference=point)
     dx, dy = point
 
@@ -185,8 +185,8 @@ def test_reference_point_moves_the_positions_only(pair: Pair, point: Any) -> Non
 
 @given(any_pair, st.data())
 @often
-def test_side_of_the_trajectory_is_the_verdict(pair: Pair, data: st.DataObject) -> None:
-    """Inside there is overlap, except for exact fits; on it contact; outside nothing."""
+def test_the_side_of_the_trajectory_determines_the_verdict(pair: Pair, data: st.DataObject) -> None:
+    """Inside it is overlap, except on exact fits; on the loop contact; outside free."""
     generatrix, directrix = pair
     s = sweep(generatrix, directrix)
     p, q = data.draw(st.sampled_from(edges(s.trajectory)))
@@ -278,7 +278,7 @@ def test_spelling_of_the_input_does_not_matter(pair: Pair, data: st.DataObject) 
 
 @given(any_pair)
 @seldom
-def test_kind_is_the_least_class(pair: Pair) -> None:
+def test_the_kind_is_the_smallest_class(pair: Pair) -> None:
     generatrix, directrix = pair
     kind = "MM" if not generatrix.is_convex else "CC" if directrix.is_convex else "CM"
     s = sweep(generatrix, directrix)
@@ -286,7 +286,7 @@ def test_kind_is_the_least_class(pair: Pair) -> None:
     assert repr(s).startswith(f"<Sweep {kind} of {len(generatrix)} around {len(directrix)} vert")
 
 
-def test_sweeps_and_their_loops_tell_about_themselves() -> None:
+def test_sweeps_and_loops_have_informative_reprs() -> None:
     s = sweep(UNIT, [(0, 0), (4, 0), (4, 3), (2, 1), (0, 3)])
     assert [loop.is_convex for loop in loops(s)] == [False, False, False]
     assert [loop.is_convex for loop in loops(sweep(UNIT, UNIT))] == [True, True, True]
@@ -298,9 +298,9 @@ def test_sweeps_and_their_loops_tell_about_themselves() -> None:
     ]
 
 
-# Notches, seen from the side: no line across both arms meets them in one piece.
+# Sideways notches: no line across both arms meets them in one segment.
 
 
 @pytest.mark.parametrize(("call", "said"), list_refusals(__file__))
-def test_refusals_name_the_fault(call: str, said: str) -> None:
+def test_errors_name_the_fault(call: str, said: str) -> None:
     require_refused(call, said)

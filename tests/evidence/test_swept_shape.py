@@ -29,7 +29,7 @@ def on_segment(p: Point, a: Point, b: Point) -> bool:
 
 
 def respell(shape: Region, turns: bool, by: int) -> list[list[Point]]:
-    """The rings, from another first vertex and perhaps reversed."""
+    """The rings with another first vertex, possibly reversed."""
     rings = [[*ring[by % len(ring) :], *ring[: by % len(ring)]] for ring in shape.rings]
     return [ring[::-1] for ring in rings] if turns else rings
 
@@ -92,7 +92,7 @@ def test_undercuts_holes_and_the_directrix_fill_the_inner_loop(d: Cells, g: Cell
             assert classify(s.directrix, s.generatrix, position).verdict == "CONTACT"
 
 
-def test_an_inner_loop_that_has_all_corners_and_middles_of_the_directrix_on_it() -> None:
+def test_an_inner_loop_through_all_corners_and_midpoints_of_the_directrix() -> None:
     """Found by the campaign: the undercut lies in a quarter of an edge of D."""
     d = [(12, 7), (20, 13), (24, 15), (23, 17), (16, 13)]
     g = [(-3, 10), (3, 13), (4, 13), (9, 16), (14, 21), (21, 26), (7, 19), (10, 19), (3, 15)]
@@ -103,16 +103,16 @@ def test_an_inner_loop_that_has_all_corners_and_middles_of_the_directrix_on_it()
 
 @given(polyominoes(6, 3))
 @examples(20)
-def test_a_mould_around_its_part(g: Cells) -> None:
-    mould = frame(g, 2)
+def test_a_mold_around_its_part(g: Cells) -> None:
+    mold = frame(g, 2)
     assume(len(region(g).holes) == 0)
-    s = sweep(region(g), region(mould))
+    s = sweep(region(g), region(mold))
     assert s.kind == "SS"
     assert (ORIGIN, ORIGIN) in s.exact_fits
     assert verify(s.certificate()).proved
 
 
-def test_features_of_several_holes_are_numbered_as_given() -> None:
+def test_features_of_several_holes_are_numbered_as_in_the_input() -> None:
     rings = [
         [(9, 0), (9, 9), (0, 9), (0, 0)],
         [(2, 1), (1, 1), (1, 2)],
@@ -133,7 +133,7 @@ def test_features_of_several_holes_are_numbered_as_given() -> None:
 
 
 def test_threads_may_share_a_sweep() -> None:
-    """Two threads that read the unswept holes get the same ones, and the same area."""
+    """Two threads read the same unswept holes and the same area."""
     size = 24
     comb = [(0, 0), (4 * size, 0)]
     for k in reversed(range(size)):
@@ -149,8 +149,8 @@ def test_threads_may_share_a_sweep() -> None:
         assert s.area == area
 
 
-def test_the_inner_loop_is_known_by_its_value() -> None:
-    """Another thread may have computed the loop again: it is equal, but not the same object."""
+def test_the_inner_loop_is_recognized_by_value() -> None:
+    """Another thread may compute an equal loop that is not the same object."""
     frame_ = Region([(-2, -2), (7, -2), (7, 7), (-2, 7)], [[(0, 0), (4, 0), (4, 3), (0, 3)]])
     s = shape_sweep(Region(UNIT), frame_)
     assert isinstance(s.solution, ShapeSolution)

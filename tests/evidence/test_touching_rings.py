@@ -1,4 +1,4 @@
-"""Contacts of Regions whose rings touch: in a vertex of both, or in a vertex inside an edge."""
+"""Contacts of Regions whose rings touch, at a common vertex or with a vertex inside an edge."""
 
 from fractions import Fraction
 
@@ -33,7 +33,7 @@ def test_all_features_at_a_shared_vertex_touch() -> None:
     assert list(s.contacts_at((2, 2))) == expected
     (at,) = [k for k, vertex in enumerate(s.trajectory) if vertex == point(2, 2)]
     assert list(s.vertex_contacts[at]) == expected
-    # There the paths on the top and up the side meet: G stops at the side, not at the hole.
+    # The paths along the top and up the side meet here: G stops at the side, not at the hole.
     (step,) = [step for step in explain(s) if step.end == s.trajectory[at]]
     assert step.ending == "stop"
     assert ("VV", 0, 8) not in step.reasons
@@ -53,7 +53,7 @@ def test_a_vertex_inside_an_edge_of_another_ring_touches_where_the_edge_does() -
 
 
 def lasting(s: Sweep, p: Point, q: Point) -> set[Contact]:
-    """The contacts at points from p to q, one between each two points where any may change."""
+    """All contacts at sample points from p to q, one between each two possible changes."""
     count = 4 * int(max(abs(q.x - p.x), abs(q.y - p.y)))
     found: set[Contact] = set()
     for k in range(count):

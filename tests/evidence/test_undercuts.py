@@ -43,7 +43,7 @@ def middle(p: Point, q: Point) -> Point:
 
 
 def along(edge: Edge, p: Point, q: Point) -> bool:
-    """Decide whether p to q is a piece of a directed edge, in the same direction."""
+    """Decide whether the segment from p to q lies on a directed edge, in the same direction."""
     (ax, ay), (bx, by) = edge
     if not all(min(edge) <= v <= max(edge) for v in (p, q)):
         return False
@@ -104,8 +104,8 @@ def test_generatrix_closes_undercuts_at_their_positions(pair: Pair) -> None:
 
 @given(own.pairs("CM"))
 @often
-def test_convex_generatrix_closes_an_undercut_in_one_place(pair: Pair) -> None:
-    """Figure 7: in a point, or in a segment along a straight bottom chain."""
+def test_convex_generatrix_closes_an_undercut_at_one_position(pair: Pair) -> None:
+    """Figure 7: the intersection is a point, or a segment if the bottom chain is straight."""
     s = sweep(*pair)
     for undercut in s.undercuts:
         if undercut.intersection == "point":
@@ -116,7 +116,7 @@ def test_convex_generatrix_closes_an_undercut_in_one_place(pair: Pair) -> None:
 
 @given(any_pair)
 @often
-def test_one_position_is_given_where_one_will_do(pair: Pair) -> None:
+def test_one_position_is_returned_if_it_suffices(pair: Pair) -> None:
     s = sweep(*pair)
     for undercut in s.undercuts:
         closing = [t for t in s.trajectory.vertices if covers(s.generatrix.exterior, t, undercut)]
@@ -155,8 +155,8 @@ def test_undercuts_do_not_depend_on_the_frame(
     assert regions == {undercut.polygon for undercut in sweep(generatrix, directrix).undercuts}
 
 
-def test_two_pockets_that_touch_are_two() -> None:
-    r"""Two notches side by side share the tip between them.
+def test_touching_pockets_are_separate_undercuts() -> None:
+    r"""Two adjacent notches share the tip between them.
 
     ::
 
@@ -170,7 +170,7 @@ def test_two_pockets_that_touch_are_two() -> None:
         Polygon([(1, 0), (3, 0), (2, 2)]),
         Polygon([(3, 0), (5, 0), (4, 2)]),
     ]
-    # The bar is on one notch's both rims for a way of 3, and on the other's.
+    # The bar lies on both rims of one notch along a segment of length 3, then of the other.
     assert [undercut.positions for undercut in s.undercuts] == [
         own.points((-2, -1), (1, -1)),
         own.points((0, -1), (3, -1)),
@@ -198,9 +198,9 @@ def test_wall_of_the_generatrix_belongs_to_the_bottom_chain() -> None:
 
 
 def test_one_corner_of_the_generatrix_closes_a_bent_pocket() -> None:
-    """The bottom chain is bent at (9, 9/5), where the corner (0, -4) of G has the same two edges.
+    """The bottom chain bends at (9, 9/5); the corner (0, -4) of G has the same two edges.
 
-    From the end of the chain, not the bend, no translation is found, and two were given for one.
+    A former version started from the end of the chain and returned two positions instead of one.
     """
     bent = [(0, -4), (5, -1), (5, -9), (10, -6), (8, 2), (0, 0)]
     (undercut,) = sweep(bent, [(6, -6), (11, 3), ("35/4", "5/4"), (9, 5)]).undercuts
@@ -208,7 +208,7 @@ def test_one_corner_of_the_generatrix_closes_a_bent_pocket() -> None:
     assert undercut.positions == own.points((9, "29/5"))
 
 
-def test_numbers_on_no_lattice_of_use_change_no_evidence() -> None:
+def test_numbers_without_a_useful_lattice_change_no_evidence() -> None:
     factor = 1 + Fraction(1, 3**5200)
     for seed in (2, 5):
         pair = families.random_pair(random.Random(seed), ["same", "mould", "walls"])
@@ -224,7 +224,7 @@ def test_numbers_on_no_lattice_of_use_change_no_evidence() -> None:
 
 
 def close(chain: list[Vertex], path: Outline, g: Outline) -> Any:
-    """Find what closes a chain on the inner loop of a trajectory."""
+    """Find the closure of a chain on the inner loop of a trajectory."""
     return find_closing_positions(chain, Tracer(path, g))
 
 
@@ -239,7 +239,7 @@ def test_a_chain_may_be_covered_from_the_middle_of_an_edge_but_not_beyond_g() ->
 
 
 def test_a_straight_chain_is_covered_along_a_piece_of_the_trajectory() -> None:
-    """By the top edge of a bar, 5 long and at 3 from its origin; up to a single position."""
+    """The top edge of a bar covers it: 5 long, at distance 3 from the origin of the bar."""
     bar = Outline([[(3, 0), (8, 0), (8, 1), (3, 1)]])
     path = Outline([[(0, -1), (4, -1), (5, 7), (6, 7), (7, -1), (20, -1), (20, 9), (0, 9)]])
     for low, high, expected in [
@@ -248,7 +248,7 @@ def test_a_straight_chain_is_covered_along_a_piece_of_the_trajectory() -> None:
         (9, 10, (2, 4)),
         (10, 12, (4,)),
         (11, 13, (7, 8)),
-        (11, 12, (7, 8)),  # and in (4, -1)
+        (11, 12, (7, 8)),  # and at (4, -1)
         (12, 17, (9,)),
         (7, 12, (4,)),
     ]:
@@ -261,10 +261,10 @@ def test_a_straight_chain_is_covered_along_a_piece_of_the_trajectory() -> None:
     [(1, 0), (0, 1), (-1, 0), (0, -1)],
     ids=["upright", "lying", "turned", "turned and lying"],
 )
-def test_an_edge_of_several_positions_is_drawn_at_vertices_of_the_trajectory(
+def test_an_edge_of_several_positions_is_traced_at_vertices_of_the_trajectory(
     way: tuple[int, int],
 ) -> None:
-    """An edge of G of length 2 draws one of length 4 that begins and ends in its middle."""
+    """An edge of G of length 2 traces an edge of length 4 that begins and ends at its midpoint."""
 
     def turn(*points: tuple[int, int]) -> list[Vertex]:
         c, s = way

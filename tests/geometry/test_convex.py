@@ -14,7 +14,7 @@ from exactsweep.geometry.convex import IntRing, cut_to_convex
 
 
 def make_plate(holes: int, seed: int = 0) -> list[IntRing]:
-    """A square plate with holes of three or four corners, at random on a lattice."""
+    """A square plate with triangles and quadrilaterals as holes, at random on a lattice."""
     random = Random(seed)
     columns = round(holes**0.5)
     wide = 10 * columns
@@ -33,7 +33,7 @@ def test_a_plate_with_many_holes_is_cut_into_convex_pieces(holes: int, shear: in
     pieces = cut_to_convex(rings)
     assert sum(map(find_doubled_area, pieces)) == sum(map(find_doubled_area, rings))
     assert all(min(find_turns(piece)) > 0 for piece in pieces)
-    # At most one for each concave corner, and the first.
+    # At most one more than the number of reflex vertices.
     assert len(pieces) <= 1 + sum(map(len, rings[1:]))
 
 

@@ -60,12 +60,12 @@ def is_strictly_monotone(polygon: Polygon, direction: Vector) -> bool:
 
 
 def is_strict(found: Directions, u: Vector) -> bool:
-    """Decide whether a direction is strictly between two critical ones, in an arc."""
+    """Decide whether a direction lies strictly inside an arc between critical directions."""
     return reduce_direction(u) not in found.critical and found.after[found._last_up_to(u)]
 
 
 def trials(*polygons: Polygon) -> list[Vector]:
-    """All critical directions of some polygons, one between each two, and a few more."""
+    """The critical directions of polygons, one between each two neighbors, and a few more."""
     critical: set[Vector] = {(1, 0), (0, 1)}
     for polygon in polygons:
         v = polygon.lattice()[1]
@@ -80,7 +80,7 @@ def trials(*polygons: Polygon) -> list[Vector]:
 
 @given(own.simple_polygons())
 @examples(50)
-def test_monotone_is_two_changes_of_sign(polygon: Polygon) -> None:
+def test_monotone_means_two_changes_of_sign(polygon: Polygon) -> None:
     found = find_monotone_directions(polygon)
     for u in trials(polygon):
         assert (u in found) == is_weakly_monotone(polygon, u), u
@@ -91,7 +91,7 @@ def test_monotone_is_two_changes_of_sign(polygon: Polygon) -> None:
 
 @given(own.simple_polygons())
 @often
-def test_to_the_x_axis_it_is_known_however_the_polygon_was_made(polygon: Polygon) -> None:
+def test_x_monotonicity_is_the_same_for_every_construction(polygon: Polygon) -> None:
     expected = is_weakly_monotone(polygon, (1, 0))
     turned = polygon.reflected()
     made = [polygon, Polygon(polygon), Polygon(polygon.vertices), turned, Polygon(turned.vertices)]
@@ -100,7 +100,7 @@ def test_to_the_x_axis_it_is_known_however_the_polygon_was_made(polygon: Polygon
 
 @given(own.simple_polygons(), own.simple_polygons())
 @often
-def test_shared_directions_are_those_of_both(one: Polygon, other: Polygon) -> None:
+def test_shared_directions_are_monotone_for_both(one: Polygon, other: Polygon) -> None:
     shared = find_monotone_directions(one) & find_monotone_directions(other)
     for u in trials(one, other):
         assert (u in shared) == (is_weakly_monotone(one, u) and is_weakly_monotone(other, u)), u
@@ -110,7 +110,7 @@ def test_shared_directions_are_those_of_both(one: Polygon, other: Polygon) -> No
 
 @given(own.simple_polygons())
 @often
-def test_arcs_hold_the_directions_and_no_others(polygon: Polygon) -> None:
+def test_arcs_contain_exactly_the_monotone_directions(polygon: Polygon) -> None:
     found = find_monotone_directions(polygon)
     if polygon.is_convex:
         first = found.critical[0]
@@ -119,12 +119,12 @@ def test_arcs_hold_the_directions_and_no_others(polygon: Polygon) -> None:
     for u in trials(polygon):
         within = any(on_arc(u, first, last) for first, last in found.arcs())
         assert within == (u in found), u
-    # The arcs are maximal: what lies between two of them is not monotone.
+    # The arcs are maximal: directions between two of them are not monotone.
     assert len({first for first, _ in found.arcs()}) == len(found.arcs())
 
 
 def on_arc(u: Vector, first: Vector, last: Vector) -> bool:
-    """Decide whether u or -u lies on an arc of at most a half turn, counter-clockwise."""
+    """Decide whether u or -u lies on a counter-clockwise arc of at most a half turn."""
 
     def cross(a: Vector, b: Vector) -> int:
         return a[0] * b[1] - a[1] * b[0]
@@ -136,8 +136,8 @@ def on_arc(u: Vector, first: Vector, last: Vector) -> bool:
 
 @given(own.simple_polygons(), own.simple_polygons())
 @examples(40)
-def test_choice_is_the_simplest_there_is(one: Polygon, other: Polygon) -> None:
-    """The x-axis, else strict, else any; then the least squared length."""
+def test_the_simplest_direction_is_chosen(one: Polygon, other: Polygon) -> None:
+    """Prefer the x-axis, then strict directions, then the shortest vector."""
     tried = [reduce_direction(u) for u in trials(one, other)]
     tried += [(p, q) for p in range(12) for q in range(-11, 12) if gcd(p, q) == 1]
     shared = {u for u in tried if is_weakly_monotone(one, u) and is_weakly_monotone(other, u)}
@@ -177,7 +177,7 @@ def test_ranges_worked_by_hand(vertices: Any, text: str) -> None:
     assert str(find_monotone_directions(Polygon(vertices))) == text
 
 
-def test_direction_asked_for_is_refused_with_those_there_are() -> None:
+def test_a_rejected_direction_lists_the_monotone_ones() -> None:
     with pytest.raises(DirectionError) as caught:
         sweep(UNIT, NOTCHED, direction=("1/2", 0))
     start = "the directrix is not monotone in direction (1, 0), 0 degrees; "
@@ -207,7 +207,7 @@ HALF = sorted(
 
 
 def test_the_simplest_between_two_directions_is_strictly_between() -> None:
-    """Round the turn, too; the X axis would have been taken before."""
+    """Also across the start of the circle; the X axis would be preferred."""
     turn = [*HALF, *((-p, -q) for p, q in HALF)]
     for i, u in enumerate(HALF):
         for j in range(i + 2, i + len(HALF)):
@@ -217,7 +217,7 @@ def test_the_simplest_between_two_directions_is_strictly_between() -> None:
                 assert _find_simplest_between(u, turn[j]) == least, (u, turn[j])
 
 
-def test_the_simplest_of_single_directions_has_the_least_squares() -> None:
+def test_the_simplest_of_single_directions_is_the_shortest() -> None:
     for u, v in combinations(HALF, 2):
         if X_AXIS not in (u, v):
             least = min(u, v, key=lambda w: (w[0] ** 2 + w[1] ** 2, w))
@@ -260,7 +260,7 @@ def test_the_simplest_of_few_directions_is_chosen(way: Vector, steep: int) -> No
     x, y = way
     up = [(k * x - steep * (k % 2) * y, k * y + steep * (k % 2) * x) for k in range(5)]
     down = [(p + y, q - x) for p, q in reversed(up)]
-    # A zigzag along `way`: the larger `steep`, the closer to `way` are all its directions of
+    # A zigzag along `way`: the larger `steep`, the closer to `way` are its directions of
     # monotonicity.
     zigzag = Polygon([(-x, -y), *up, (5 * x, 5 * y), *down])
     chosen = find_shared_direction(zigzag, zigzag)

@@ -1,4 +1,4 @@
-"""Distances of shapes, compared with all pairs of edges and with answers by hand."""
+"""Distances of shapes, compared with all pairs of edges and with known answers."""
 
 from fractions import Fraction
 from itertools import product
@@ -47,7 +47,7 @@ def region(shape: Holed) -> Region:
 
 @examples(60)
 @given(shape_pairs(), translations())
-def test_the_distance_is_the_least_over_pairs_of_edges(
+def test_the_distance_is_the_minimum_over_pairs_of_edges(
     pair: tuple[Holed, Holed], by: tuple[Fraction, Fraction]
 ) -> None:
     one, other = region(pair[0]), region(pair[1]).translated(by)
@@ -66,7 +66,7 @@ def test_the_distance_is_the_least_over_pairs_of_edges(
         ([(2, -1), (3, 0), (2, 3)], 1, None),
         ([(4, 5), (6, 5), (6, 6)], 25, points((1, 1), (4, 5))),
         ([(1, 3), (4, 0), (4, 3)], 2, points((1, 1), (2, 2))),
-        # They share a corner, a piece of an edge, an edge that runs the same way, a crossing.
+        # A common corner, overlapping edges, edges in the same direction, a crossing.
         ([(1, 1), (2, 1), (2, 2)], 0, points((1, 1), (1, 1))),
         ([(1, "1/2"), (2, 0), (2, 3)], 0, points((1, "1/2"), (1, "1/2"))),
         ([(0, 0), (1, 0), (1, 3), (0, 3)], 0, None),
@@ -103,7 +103,7 @@ def test_coordinates_without_a_common_lattice() -> None:
     assert distance_squared(one, other).value == (3 - Fraction(1, 2**5001)) ** 2
 
 
-def test_a_refusal_names_the_argument() -> None:
+def test_errors_name_the_argument() -> None:
     with pytest.raises(PolygonError, match=r"^b: "):
         distance_squared(SQUARE, [(0, 0), (1, 1)])
 

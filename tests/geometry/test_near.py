@@ -1,4 +1,4 @@
-"""Boxes that meet, found by rows and compared with all pairs."""
+"""Intersecting boxes, found by rows and compared with all pairs."""
 
 from itertools import combinations
 
@@ -45,7 +45,7 @@ def test_boxes_that_meet_another_one_are_found_once(
 
 
 def test_boxes_far_away_are_found() -> None:
-    """As no row is empty below or above the boxes, a search beyond them finds nothing."""
+    """There are no rows below or above the boxes, so a search there finds nothing."""
     rows = BoxRows([(0, 1, 5 * k, 5 * k + 1) for k in range(100)])
     assert [*rows.find((0, 9, -9, -1))] == [*rows.find((0, 9, 497, 999))] == []
     assert [*rows.find((1, 1, 10, 10))] == [2]
@@ -53,7 +53,7 @@ def test_boxes_far_away_are_found() -> None:
 
 
 def test_a_search_examines_few_of_many_boxes() -> None:
-    """Each row of a grid of 100 by 100 boxes has about as many entries."""
+    """All rows of a grid of 100 by 100 boxes have about equally many entries."""
     side = 100
     grid = [(2 * x, 2 * x + 1, 2 * y, 2 * y + 1) for x in range(side) for y in range(side)]
     rows = BoxRows(grid)

@@ -1,4 +1,4 @@
-"""Features at a point: the search agrees with a scan of all features."""
+"""Features at a point, compared with a scan of all features."""
 
 from fractions import Fraction
 from itertools import product
@@ -11,7 +11,7 @@ from exactsweep.geometry.outline import Outline
 from exactsweep.geometry.vectors import is_between
 
 
-def test_features_at_a_point_are_those_of_the_definition() -> None:
+def test_features_at_a_point_match_the_definition() -> None:
     """On and between lattice points, with and without more edges than a linear scan handles."""
     rng = Random(4)
     for n in range(25):

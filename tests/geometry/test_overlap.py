@@ -43,8 +43,8 @@ AROUND = [*product(range(-1, 4), repeat=2)]
 SQUARE = [[(0, 0), (4, 0), (4, 4), (0, 4)]]
 
 
-def test_tips_of_holes_touch_the_middles_of_all_edges() -> None:
-    """The inside of a square is overlapped, though no middle of its edges is."""
+def test_tips_of_holes_touch_the_midpoints_of_all_edges() -> None:
+    """The interior of a square is overlapped, but no midpoint of its edges is."""
     tips = [
         [(2, 0), (1, -2), (3, -2)],
         [(4, 2), (6, 1), (6, 3)],
@@ -56,8 +56,8 @@ def test_tips_of_holes_touch_the_middles_of_all_edges() -> None:
     assert overlaps(pair_of(plate, SQUARE), ORIGIN)
 
 
-def test_interiors_meet_where_the_definition_says() -> None:
-    """At vertices on vertices and on the middles of edges, next to these, and one in the other."""
+def test_overlap_matches_the_definition() -> None:
+    """With vertices on vertices and on midpoints of edges, next to these, and with containment."""
     rng = Random(5)
     found: Counter[bool] = Counter()
     for number in range(100):
@@ -79,10 +79,10 @@ def test_interiors_meet_where_the_definition_says() -> None:
 
 
 @pytest.mark.parametrize("matrix", [(1, 0, 0, 1), (0, -1, 1, 0), (2, 1, 1, 2), (1, -3, 0, 2)])
-def test_interiors_of_polyominoes_meet_where_squares_do(
+def test_polyominoes_overlap_if_their_squares_do(
     matrix: Matrix,
 ) -> None:
-    """On the grid, halfway between its places, and off them."""
+    """On the grid, halfway between grid points, and elsewhere."""
     rng = Random(matrix[1])
     found: Counter[tuple[bool, bool]] = Counter()
     relations: Counter[Relation] = Counter()
@@ -124,10 +124,10 @@ def test_interiors_of_polyominoes_meet_where_squares_do(
 
 @pytest.mark.parametrize("matrix", [(1, 0, 0, 1), (1, 1, 0, 1), (2, 1, 1, 2), (1, -3, 0, 2)])
 @pytest.mark.parametrize("unit", [1, Fraction(1, 9)])
-def test_a_point_is_inside_where_all_squares_around_it_are(
+def test_a_point_is_inside_if_all_squares_around_it_are(
     matrix: Matrix, unit: int | Fraction
 ) -> None:
-    """At vertices, in edges, above and below them, and in between, all in units of one half."""
+    """At vertices, on edges, above and below edges and elsewhere, on a grid of halves."""
     rng = Random(matrix[1])
     a, b, c, d = (unit * part for part in matrix)
     half = Fraction(1, 2)
@@ -142,7 +142,7 @@ def test_a_point_is_inside_where_all_squares_around_it_are(
 
 @pytest.mark.parametrize("turns", range(4))
 def test_a_tip_in_a_bar(turns: int) -> None:
-    """No other part of the one is near the other, nor a vertex of either in it."""
+    """No other part of one is near the other, and neither contains a vertex of the other."""
 
     def turned(ring: list[tuple[int, int]]) -> list[list[Vertex]]:
         for _ in range(turns):
@@ -157,7 +157,7 @@ def test_a_tip_in_a_bar(turns: int) -> None:
     assert not overlaps(pair_of(above, tip), ORIGIN)
 
 
-def test_shared_parts_of_edges_are_those_of_the_definition() -> None:
+def test_shared_parts_of_edges_match_the_definition() -> None:
     def is_on(v: Vertex, a: Vertex, b: Vertex) -> bool:
         return turn(a, b, v) == 0 and min(a, b) <= v <= max(a, b)
 
@@ -183,7 +183,7 @@ def test_shared_parts_of_edges_are_those_of_the_definition() -> None:
 def loops_of(
     cells: Collection[Cell], matrix: Sequence[Rational], rng: Random
 ) -> list[list[Vertex]]:
-    """The rings of a polyomino, the holes clockwise, each from any vertex on."""
+    """The rings of a polyomino, holes clockwise, each from a random first vertex."""
     a, b, c, d = matrix
     loops = []
     for ring in Region(*shape_of(cells)).lattice()[1]:
@@ -200,8 +200,8 @@ def edge_of(rng: Random, shape: small_pairs.Shape) -> tuple[Vertex, Vertex]:
 
 
 @pytest.mark.parametrize("far", [-(10**6), 0, 10**6])
-def test_the_edges_near_a_place_are_found(far: int) -> None:
-    """Of 800 edges side by side, those whose boxes meet the place, by their left ends."""
+def test_the_edges_near_a_point_are_found(far: int) -> None:
+    """The edges whose boxes meet a query box, ordered by left end, among 800 adjacent edges."""
     low = [(3 * k + far, k % 2) for k in range(400)]
     shape = EdgeIndex([[*low, *((x, y + 5) for x, y in low[::-1])]])
     for x in range(far, far + 1197, 7):
@@ -215,9 +215,9 @@ TRIANGLE = [(4, 0), (3, 4), (5, 4)]
 
 @pytest.mark.parametrize("upright", [False, True])
 def test_a_hole_touches_the_exterior_inside_an_edge_along_another_shape(upright: bool) -> None:
-    """Both run along y = 0; a hole of the plate, wider upwards, ends on that edge in (4, 0).
+    """Both edges lie on y = 0; a hole of the plate, wider at the top, touches its edge at (4, 0).
 
-    At that point, the cone of the hole alone is open to both sides of y = 0.
+    At that point, only the cone of the hole is open on both sides of y = 0.
     """
 
     def place(*rings: Sequence[Vertex]) -> list[list[Vertex]]:
@@ -243,7 +243,7 @@ def test_a_shape_contains_shapes_without_points_outside() -> None:
 
 
 def test_a_path_overlaps_where_it_is_inside() -> None:
-    """Along an edge or through a vertex from outside it only touches."""
+    """Along an edge, or at a vertex from outside, it only touches."""
     along, through, into = [(1, 0), (3, 0)], [(-2, 2), (2, -2)], [(-1, 2), (0, 2), (0, 1), (1, 1)]
     for path, expected in (
         (along, Relation.CONTACT),
@@ -266,7 +266,7 @@ def gear(teeth: int, radius: int) -> list[Vertex]:
     return ring
 
 
-def test_operations_grow_with_the_edges_that_are_near() -> None:
+def test_operations_grow_with_the_number_of_close_edges() -> None:
     counts = []
     for teeth in (100, 400):
         square: list[Vertex] = [(-2000, -2000), (2000, -2000), (2000, 2000), (-2000, 2000)]

@@ -34,7 +34,7 @@ def turns() -> st.SearchStrategy[Any]:
 
 
 def given_features(shape: AnyPolygon) -> dict[tuple[str, int], set[Point]]:
-    """The places of vertices and edges by their numbers in the input."""
+    """The vertices and edges by their numbers in the input."""
     found: dict[tuple[str, int], set[Point]] = {}
     first = 0
     for ring in shape.rings:
@@ -46,7 +46,7 @@ def given_features(shape: AnyPolygon) -> dict[tuple[str, int], set[Point]]:
 
 
 def affine(*places: list[Point]) -> Callable[[Point], Point]:
-    """The affine map defined by three points on no line and their images."""
+    """The affine map defined by three points, not collinear, and their images."""
     (p,), (q,), (r,), (a,), (b,), (c,) = places
     ux, uy, vx, vy = q.x - p.x, q.y - p.y, r.x - p.x, r.y - p.y
     area = ux * vy - uy * vx
@@ -73,7 +73,7 @@ def test_a_shape_is_the_sequence_of_its_vertices(shape: AnyPolygon) -> None:
 
 
 @given(SHAPES, strategies.translations(), st.data())
-def test_contained_points_are_those_of_the_definition(
+def test_contained_points_match_the_definition(
     shape: AnyPolygon, point: tuple[Fraction, Fraction], data: st.DataObject
 ) -> None:
     k = data.draw(st.integers(0, len(shape.rings[0]) - 1))
@@ -88,7 +88,7 @@ def test_contained_points_are_those_of_the_definition(
 
 
 @given(SHAPES, turns(), st.sampled_from([1, -2, "1/3", (2, "-1/2")]), strategies.translations())
-def test_a_map_takes_every_numbered_feature_along(
+def test_a_map_keeps_the_numbering_of_features(
     shape: AnyPolygon, turn: Any, factor: Any, center: tuple[Fraction, Fraction]
 ) -> None:
     axis = turn if isinstance(turn, tuple) else (1, 2)
@@ -112,7 +112,7 @@ def test_a_map_takes_every_numbered_feature_along(
 
 
 @given(SHAPES, turns(), strategies.translations())
-def test_turns_and_mirror_images_undo_each_other(
+def test_rotations_and_reflections_are_invertible(
     shape: AnyPolygon, turn: Any, center: tuple[Fraction, Fraction]
 ) -> None:
     turned = shape.rotated(turn, center)
@@ -169,7 +169,7 @@ def test_the_interface_of_other_libraries_loses_nothing(shape: AnyPolygon) -> No
     assert all(ring[0] == ring[-1] for ring in rings)
 
 
-def test_shapely_reads_a_shape_and_is_read() -> None:
+def test_shapes_round_trip_through_shapely() -> None:
     hollow = shapely.geometry.shape(PLATE)
     assert hollow.area == PLATE.area == Fraction(151, 2)
     assert shapely.is_ccw(hollow.exterior)
@@ -219,7 +219,7 @@ def test_exact_floats_are_floats_in_geojson() -> None:
     assert [*map(repr, chain.from_iterable(ring))] == [*map(repr, [0, 0, 0.5, 0, y, z, 0, 0])]
 
 
-def test_a_map_about_a_point_leaves_it_where_it_is() -> None:
+def test_a_map_about_a_point_fixes_it() -> None:
     a, b, c, d, x, y = map(Fraction, (2, 3, 5, 7, 11, 13))
     moved = AffineMap(a, b, c, d).about((x, y))
     assert moved[:4] == (a, b, c, d)

@@ -37,8 +37,8 @@ def test_vertices_are_canonical(polygon: Polygon) -> None:
 
 
 @pytest.mark.parametrize("scale", [1, 3, Fraction(1, 2), Fraction(1, 2**9000)])
-def test_the_least_triangles_are_turned_counter_clockwise(scale: Fraction) -> None:
-    """Twice their area is one unit of the lattice, so only the sign decides."""
+def test_the_smallest_triangles_are_oriented_counter_clockwise(scale: Fraction) -> None:
+    """Twice their area is one unit of the lattice, the smallest nonzero value."""
     corners = [(0, 0), (scale, 0), (0, scale)]
     for k in range(3):
         spelled = corners[k:] + corners[:k]
@@ -121,7 +121,7 @@ def test_other_things_are_not_equal() -> None:
     assert Polygon(SQUARE) != Polygon(SQUARE[:3])
 
 
-def test_text_is_short_and_exact_where_it_is_whole() -> None:
+def test_text_is_exact_unless_abbreviated() -> None:
     halves = Polygon([(0, 0), ("1/2", 0), (0, -1)])
     assert repr(halves) == "Polygon([(0, -1), ('1/2', 0), (0, 0)])"
     assert eval(repr(halves)) == halves
@@ -134,7 +134,7 @@ def test_text_is_short_and_exact_where_it_is_whole() -> None:
     assert len(repr(long)) < 400
 
 
-def test_repr_reads_back_or_does_not_look_as_if() -> None:
+def test_repr_round_trips_or_is_in_angle_brackets() -> None:
     for vertices in (
         [(0, 0), (0.1, 0), ("1/3", 1)],
         [(0, 0), (Fraction(1, 7**40), 0), (0, 1)],
@@ -146,7 +146,7 @@ def test_repr_reads_back_or_does_not_look_as_if() -> None:
             assert shown.startswith("<") or eval(shown) == shape
 
 
-def test_floats_are_shown_as_the_decimals_that_stand_for_them() -> None:
+def test_floats_are_shown_as_their_shortest_decimals() -> None:
     polygon = Polygon([(0, 0), (0.1, 0), (0, Fraction(0.1) + Fraction(0.2))])
     assert str(polygon) == "(0, 0) (0.1~, 0) (0, 0.3~)"
     assert f"{polygon:.2f}" == "(0.00, 0.00) (0.10, 0.00) (0.00, 0.30)"
@@ -155,13 +155,13 @@ def test_floats_are_shown_as_the_decimals_that_stand_for_them() -> None:
 
 
 @pytest.mark.parametrize(("call", "said"), list_refusals(__file__))
-def test_refusals_name_the_place(call: str, said: str) -> None:
+def test_errors_name_the_location(call: str, said: str) -> None:
     require_refused(call, said)
 
 
 @given(strategies.simple_polygons())
-def test_columns_read_as_single_vertices_do(polygon: Polygon) -> None:
-    """Vertices that are no tuples or lists, read one by one, give the same polygon."""
+def test_columns_and_single_vertices_are_read_alike(polygon: Polygon) -> None:
+    """Vertices that are neither tuples nor lists are read one by one."""
     rows = [tuple(map(str, vertex)) for vertex in polygon.vertices]
     one_by_one = Polygon([iter(row) for row in rows])
     assert Polygon(rows) == one_by_one == polygon
@@ -170,7 +170,7 @@ def test_columns_read_as_single_vertices_do(polygon: Polygon) -> None:
 
 @pytest.mark.parametrize("bad", [True, math.nan, "0x1", None, 1j, "1" * 400])
 @pytest.mark.parametrize("row", [tuple, list])
-def test_one_bad_number_among_many_is_named(bad: object, row: Callable[..., Any]) -> None:
+def test_one_invalid_number_among_many_is_named(bad: object, row: Callable[..., Any]) -> None:
     ring = [row((x, x * x)) for x in range(1000)]
     ring[700] = row((700, bad))
     with limits(max_digits=10), pytest.raises(NumberError, match=r"^vertex 700: "):
@@ -178,7 +178,7 @@ def test_one_bad_number_among_many_is_named(bad: object, row: Callable[..., Any]
 
 
 @pytest.mark.parametrize(("last", "convex"), [((4, 3), "yes"), ((1, 1), "no")])
-def test_a_notebook_tells_whether_it_is_convex(last: tuple[int, int], convex: str) -> None:
+def test_a_notebook_shows_whether_a_polygon_is_convex(last: tuple[int, int], convex: str) -> None:
     html = Polygon([(0, 0), (4, 0), last, (0, 4)])._repr_html_()
     assert re.search(rf"convex\W.*?\b{convex}\b", html)
 

@@ -11,7 +11,7 @@ import shapely
 from exactsweep import NumberError, Point, PolygonError, Polyline
 
 
-def test_points_are_exact_and_equal_neighbours_count_once() -> None:
+def test_points_are_exact_and_equal_neighbors_count_once() -> None:
     path = Polyline([(0, 0), ("0.5", 0.25), ("1/2", "1/4"), (0, 0)])
     assert path.points == (
         Point(Fraction(0), Fraction(0)),

@@ -1,4 +1,4 @@
-"""Regions: accepted and refused input, messages, and equality of equal sets."""
+"""Regions: accepted and rejected input, messages, and equality of equal sets."""
 
 import pickle
 from fractions import Fraction
@@ -49,15 +49,15 @@ def test_the_interior_is_on_the_left_on_the_lattice() -> None:
     assert hole == ((1, 2), (2, 3), (2, 2))
 
 
-def test_indices_count_through_the_rings_as_given() -> None:
-    # The second hole comes first in canonical order, and is given clockwise.
+def test_indices_follow_the_rings_of_the_input() -> None:
+    # The second hole is first in canonical order, and clockwise in the input.
     one = Region(SQUARE, [OTHER, SMALL[::-1]])
     assert one.holes == (Polygon(SMALL), Polygon(OTHER))
     given_vertices = SQUARE + OTHER + SMALL[::-1]
     for k, vertex in enumerate(one.vertices):
         x, y = given_vertices[one.vertex_index(k)]
         assert Point(Fraction(x), Fraction(y)) == vertex
-    # Canonical edge 4 runs from (1, 1) to (3, 1); given, from (3, 1) to (1, 1).
+    # Canonical edge 4 runs from (1, 1) to (3, 1), in the input from (3, 1) to (1, 1).
     assert one.edge_index(4) == 4 + 3 + 2
     moved = one.translated((100, 0)).reflected()
     for k, vertex in enumerate(moved.vertices):
@@ -72,7 +72,7 @@ def refusal(*holes: list[Vertex]) -> str:
 
 
 def turned(ring: list[Vertex], turns: int, width: int) -> list[Vertex]:
-    """Rotated by k quarters about the middle of a square of that width."""
+    """Rotate by k quarter turns about the center of a square of that width."""
     for _ in range(turns):
         ring = [(width - y, x) for x, y in ring]
     return ring
@@ -80,7 +80,7 @@ def turned(ring: list[Vertex], turns: int, width: int) -> list[Vertex]:
 
 @pytest.mark.parametrize("turns", range(4))
 def test_a_hole_that_touches_a_wall_twice(turns: int) -> None:
-    """From inside, it cuts a piece off; else it leaves through the two points."""
+    """From inside, the hole cuts a piece off; otherwise it crosses the wall at the two points."""
     within = turned([(4, 4), (9, 3), (8, 4), (9, 5)], turns, 9)
     assert refusal(within) in {
         f"the interior is disconnected: the exterior and hole 0 touch at ({x},{y}) and elsewhere"
@@ -100,8 +100,8 @@ def test_a_hole_in_a_hole_may_touch_any_of_its_walls(walls: int) -> None:
 
 
 @pytest.mark.parametrize("turns", range(4))
-def test_a_hole_that_leaves_another_through_two_points(turns: int) -> None:
-    """It comes out in a notch: is in the bounds of the other, or goes on through the mouth."""
+def test_a_hole_that_crosses_another_at_two_points(turns: int) -> None:
+    """It enters a notch and ends there, or continues through the mouth of the notch."""
     notched = turned([(1, 1), (7, 1), (4, 4), (7, 7), (1, 7)], turns, 8)
     in_bounds = turned([(2, 4), (5, 3), (6, 4), (5, 5)], turns, 8)
     assert refusal(notched, in_bounds) == "hole 1 is inside hole 0"
@@ -127,7 +127,7 @@ def test_touching_points_are_reported_in_input_coordinates() -> None:
 
 
 def test_rings_that_touch_are_reported_in_order() -> None:
-    """The first of eight holes and the last one."""
+    """The first and the last of eight holes."""
     tiny: list[list[Vertex]] = [[(k, 7), (k + 1, 7), (k + 1, 8)] for k in range(1, 7)]
     first: list[Vertex] = [(1, 1), (5, 1), (3, 3)]
     last: list[Vertex] = [(5, 1), (6, 3), (3, 3), (5, 2)]
@@ -146,7 +146,7 @@ def test_polyominoes_with_holes(cells: Cells) -> None:
 
 
 @given(st.integers(0, 8), st.integers(0, 8), polyominoes(10, 4))
-def test_two_holes_that_share_a_square_are_refused(x: int, y: int, cells: Cells) -> None:
+def test_two_holes_that_share_a_square_are_rejected(x: int, y: int, cells: Cells) -> None:
     loops = rings(cells)
     moved = [(u + x, v + y) for u, v in loops[0]]
     frame = [(-5, -5), (30, -5), (30, 30), (-5, 30)]
@@ -156,10 +156,10 @@ def test_two_holes_that_share_a_square_are_refused(x: int, y: int, cells: Cells)
             Region(frame, [loops[0], moved])
 
 
-def test_few_edges_of_a_region_are_tried_against_each_other(
+def test_few_pairs_of_edges_of_a_region_are_compared(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
-    """Edges of the teeth below and of the holes above lie at other heights."""
+    """The teeth below and the holes above lie at different heights."""
     tried = 0
 
     def count(*ends: Vertex) -> list[Vertex] | None:
@@ -175,12 +175,12 @@ def test_few_edges_of_a_region_are_tried_against_each_other(
 
 
 def plate(count: int) -> Region:
-    """A plate with holes in a row, given from right to left."""
+    """A plate with a row of holes, listed from right to left."""
     holes = [[(3 * k + 1, 1), (3 * k + 3, 1), (3 * k + 1, 2)] for k in reversed(range(count))]
     return Region([(0, 0), (3 * count + 1, 0), (3 * count + 1, 3), (0, 3)], holes)
 
 
-def test_features_are_numbered_in_time_in_proportion_to_them() -> None:
+def test_numbering_features_takes_linear_time() -> None:
     few, many = (count_calls(partial(number_features, plate(n))) for n in (100, 400))
     assert few < many < 5 * few
 
@@ -191,7 +191,7 @@ def test_a_region_is_convex_without_holes_and_notches() -> None:
     assert found == [True, False, False]
 
 
-def test_a_region_of_a_region_numbers_its_features_alike() -> None:
+def test_a_region_of_a_region_keeps_its_numbering() -> None:
     one = Region(SQUARE, [OTHER, SMALL[::-1]])
     again, more = Region(one), Region(one, [[(7, 1), (8, 1), (8, 2)]])
     for k in range(len(one)):
@@ -200,7 +200,7 @@ def test_a_region_of_a_region_numbers_its_features_alike() -> None:
     assert number_features(one)[0].items() < number_features(more)[0].items()
 
 
-def test_rings_off_a_lattice_are_those_of_their_region() -> None:
+def test_rings_of_long_numbers_rebuild_their_region() -> None:
     long = Fraction(1, 3**700)
     region = Region(SQUARE, [[*SMALL[:2], (3, 3 + long), (1, 3)], OTHER])
     found, [(exterior, *holes)] = share_lattice([region])

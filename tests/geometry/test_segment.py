@@ -10,8 +10,8 @@ from exactsweep.numbers.number import Vertex
 X_AXIS = (1, 0)
 
 
-def test_a_cover_has_as_few_pieces_as_there_can_be() -> None:
-    """Small ends, all choices tried; a half lies between two adjacent ends."""
+def test_a_cover_has_the_minimum_number_of_pieces() -> None:
+    """Compare with all subsets of pieces with small ends, at one point between adjacent ends."""
     rng = Random(3)
     some = 0
     for _ in range(400):
@@ -36,7 +36,7 @@ def test_a_cover_has_as_few_pieces_as_there_can_be() -> None:
     assert 100 < some < 300
 
 
-def test_of_pieces_that_reach_equally_far_the_first_is_chosen() -> None:
+def test_ties_of_reach_go_to_the_first_piece() -> None:
     whole = Segment(X_AXIS, 0, 0, 3)
     ends = [(0, 3, 4), (-1, 3, 7), (-1, 2, 5), (1, 3, 6)]
     pieces = [(Segment(X_AXIS, 0, low, high), k) for low, high, k in ends]
@@ -61,7 +61,7 @@ def test_segments_share_a_piece_of_positive_length() -> None:
         assert piece.shares_piece(whole) == whole.shares_piece(piece) == shares
 
 
-def test_differences_of_segments_hold_those_of_their_points() -> None:
+def test_differences_of_segments_contain_those_of_their_points() -> None:
     for direction, moved in [((0, 1), (5, 2)), ((2, 1), (2, 4)), ((1, -3), (0, 0))]:
         a, b = direction
         one = make_segment(((3, 1), (3 + 2 * a, 1 + 2 * b)))

@@ -28,7 +28,7 @@ def segments_meet(a: Vertex, b: Vertex, c: Vertex, d: Vertex) -> bool:
 
 
 def is_simple(points: list[Vertex]) -> bool:
-    """By the definition: adjacent edges meet only in their common vertex, others nowhere."""
+    """Apply the definition: adjacent edges meet only in their common vertex, others nowhere."""
     ring = [p for i, p in enumerate(points) if p != points[i - 1]]
     n = len(ring)
     if n < 3:
@@ -47,7 +47,7 @@ def is_simple(points: list[Vertex]) -> bool:
 
 
 def holds(conflict: Conflict, ring: list[Vertex]) -> bool:
-    """Decide whether the features named really meet in the way named."""
+    """Decide whether the reported features meet as reported."""
     kind, i, j = conflict
     p, q = ring[i], ring[j]
     p_next, q_next = ring[(i + 1) % len(ring)], ring[(j + 1) % len(ring)]
@@ -65,7 +65,7 @@ def holds(conflict: Conflict, ring: list[Vertex]) -> bool:
 
 
 def agrees(points: list[Vertex]) -> bool:
-    """Compare with the definition; tell whether the ring is simple."""
+    """Compare with the definition; return whether the ring is simple."""
     expected = is_simple(points)
     try:
         canonicalize_ring(points)
@@ -134,7 +134,7 @@ def test_many_vertices_are_checked_by_a_sweep() -> None:
 
 
 def random_monotone_ring(rng: random.Random, width: int, height: int) -> list[Vertex]:
-    """Two chains from left to right on a small grid, walls among them, that may touch or cross."""
+    """Two chains from left to right on a small grid, with walls, which may touch or cross."""
 
     def chain() -> list[Vertex]:
         xs = sorted(rng.randrange(width) for _ in range(rng.randint(1, 5)))
@@ -160,7 +160,7 @@ def test_rings_of_two_chains_from_left_to_right(width: int, height: int) -> None
         [(0, 0), (1, 1), (1, 0), (4, 0), (1, 1), (0, 1)],
     ],
 )
-def test_chains_that_meet_at_walls_are_refused(ring: list[Vertex]) -> None:
+def test_chains_that_meet_at_walls_are_rejected(ring: list[Vertex]) -> None:
     assert not agrees(ring)
     assert not agrees(ring[::-1])
     assert not agrees([(-x, -y) for x, y in ring])
@@ -168,7 +168,7 @@ def test_chains_that_meet_at_walls_are_refused(ring: list[Vertex]) -> None:
 
 @pytest.mark.parametrize("scale", [1, 10**40, Fraction(1, 10**4), Fraction(7, 10**9 + 7)])
 def test_the_unit_does_not_matter(scale: int | Fraction) -> None:
-    """Convex, monotone, simple or not, also where all turns are below 1 and one vertex has ints."""
+    """Also for cross products below 1, and with a single vertex of ints."""
     rng, kinds = random.Random(9), set()
     for _ in range(300):
         size = rng.randint(3, 6)

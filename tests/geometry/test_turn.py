@@ -16,7 +16,9 @@ ANGLES = st.fractions(min_value=-720, max_value=720, max_denominator=10**6)
 
 
 @given(ANGLES, st.integers(1, 200))
-def test_a_rational_turn_is_on_the_circle_and_near_the_angle(angle: Fraction, bits: int) -> None:
+def test_a_rational_rotation_is_on_the_circle_and_close_to_the_angle(
+    angle: Fraction, bits: int
+) -> None:
     cosine, sine, error = read_turn(angle).near(bits)
     assert cosine * cosine + sine * sine == 1
     assert error == (Fraction(1, 2**bits) if angle % 90 else 0)
@@ -28,13 +30,13 @@ def test_a_rational_turn_is_on_the_circle_and_near_the_angle(angle: Fraction, bi
 
 
 @given(ANGLES, st.integers(8, 100))
-def test_a_rational_turn_has_few_digits(angle: Fraction, bits: int) -> None:
-    # The square of the denominator of the tangent of half the angle, and some.
+def test_a_rational_rotation_has_few_digits(angle: Fraction, bits: int) -> None:
+    # The square of the denominator of the tangent of half the angle, and a few bits more.
     assert read_turn(angle).near(bits).cosine.denominator.bit_length() <= 2 * bits + 4
 
 
 @pytest.mark.parametrize("quarters", range(-4, 9))
-def test_quarters_are_exact_and_one_turn_however_given(quarters: int) -> None:
+def test_quarter_turns_are_exact_and_equal_in_every_form(quarters: int) -> None:
     pair = [(1, 0), (0, 1), (-1, 0), (0, -1)][quarters % 4]
     turn = read_turn(90 * quarters)
     assert turn.near(1) == (*map(Fraction, pair), Fraction(0))
@@ -42,7 +44,7 @@ def test_quarters_are_exact_and_one_turn_however_given(quarters: int) -> None:
     assert hash(turn) == hash(read_turn(pair))
 
 
-def test_other_turns_are_equal_by_degrees_or_by_cosine_and_sine() -> None:
+def test_other_rotations_compare_by_degrees_or_by_cosine_and_sine() -> None:
     assert read_turn("30") == read_turn(390) != read_turn("30.1")
     assert read_turn((3, 4)) == read_turn(("3/5", "4/5")) != read_turn((4, 3))
     assert read_turn((3, 4)).near(1) == (Fraction(3, 5), Fraction(4, 5), Fraction(0))
@@ -62,11 +64,11 @@ def test_the_tangent_of_45_degrees_is_bounded_on_both_sides() -> None:
     assert high - low <= Fraction(1, 2**100)
 
 
-def test_a_turned_polygon_is_congruent_and_near_the_true_one() -> None:
+def test_a_rotated_polygon_is_congruent_and_close_to_the_true_one() -> None:
     polygon = Polygon([(0, 0), (5, 0), (3, 4)])
     turned = polygon.rotated(30, bits=100)
     assert turned.area == polygon.area
-    # The vertex (5, 0) goes to (5 cos 30, 5 / 2).
+    # The image of (5, 0) is (5 cos 30, 5 / 2).
     (vertex,) = [v for v in turned.vertices if v.x > 4]
     assert abs(vertex.y - Fraction(5, 2)) < Fraction(5, 2**100)
     assert abs(vertex.x**2 - Fraction(75, 4)) < Fraction(50, 2**100)

@@ -27,7 +27,7 @@ usually = examples(100)
 
 
 def steps(*chains: list[Vertex]) -> list[Vertex]:
-    """Edge vectors sorted by slope, parallel ones added."""
+    """Edge vectors sorted by slope, with parallel vectors added."""
     found: list[Vertex] = []
     vectors = [(q[0] - p[0], q[1] - p[1]) for chain in chains for p, q in pairwise(chain)]
     for x, y in sorted(vectors, key=lambda v: Fraction(v[1]) / v[0]):
@@ -85,7 +85,7 @@ def test_merging_is_commutative_and_associative(pair: Pair) -> None:
 
 @given(own.pairs("CC"), st.tuples(*[st.booleans()] * 4))
 @usually
-def test_a_sum_of_parts_has_their_relevant_edges_only(
+def test_a_sum_of_parts_has_only_their_relevant_edges(
     pair: Pair, cut: tuple[bool, bool, bool, bool]
 ) -> None:
     """At a cut end of one chain, edges of the other one beyond it are irrelevant."""
@@ -143,7 +143,7 @@ def nearly_parallel(draw: st.DrawFn) -> list[Vertex]:
 @given(nearly_parallel(), nearly_parallel())
 @example([(0, 0), (1, 0)], [(0, 0), (1, -1), (41, 0)])
 @usually
-def test_slopes_however_close_are_distinguished(one: list[Vertex], other: list[Vertex]) -> None:
+def test_arbitrarily_close_slopes_are_distinguished(one: list[Vertex], other: list[Vertex]) -> None:
     merged = trajectory_cc(inverse(one), other)
     assert steps(merged) == steps(one, other)
     assert list(trajectory_cm(inverse(one), other)) == merged
@@ -151,7 +151,7 @@ def test_slopes_however_close_are_distinguished(one: list[Vertex], other: list[V
 
 
 def test_slopes_of_ints_over_fractions_are_distinguished() -> None:
-    """Scaled to the greatest width, 1, both nonzero slopes would be rounded."""
+    """Scaled to a greatest width of 1, both nonzero slopes would be rounded."""
     one: list[Vertex] = [(0, 0), (1, 0)]
     other: list[Vertex] = [(0, 0), (1, Fraction(-1, 9)), (2, Fraction(-1, 9) + Fraction(1, 50))]
     merged = trajectory_cc(inverse(one), other)

@@ -1,4 +1,4 @@
-"""The pruning step of the MM sweep: without it, all answers are the same."""
+"""The pruning step of the MM sweep, which changes no answer."""
 
 from collections.abc import Iterator
 from fractions import Fraction
@@ -29,7 +29,7 @@ def answer_corpus() -> Iterator[tuple[object, ...]]:
 
 
 @pytest.mark.long
-def test_without_it_the_answers_of_the_corpus_are_the_same(
+def test_answers_of_the_corpus_do_not_depend_on_pruning(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     pruned = [*answer_corpus()]
@@ -49,7 +49,7 @@ def draw(rng: Random) -> Chains:
 def test_the_ceiling_changes_no_boundary(
     seed: int, strips: int, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    """Few strips, so that short chains are pruned, too."""
+    """Use few strips, so that short chains are pruned, too."""
     chains = draw(Random(seed))
     monkeypatch.setattr(ceiling, "STRIPS", strips)
     pruned = [*trajectory_mm(*chains[::2])], sweep_mm(*chains)

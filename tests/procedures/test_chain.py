@@ -71,7 +71,7 @@ def test_slopes_are_in_order_in_the_unit_of_a_chain(width: int, data: st.DataObj
 
 @given(chains(), st.sampled_from([1, 3, Fraction(7, 3)]))
 @usually
-def test_parts_do_not_depend_on_the_kind_of_numbers(chain: list[Vertex], scale: int) -> None:
+def test_parts_do_not_depend_on_the_number_type(chain: list[Vertex], scale: int) -> None:
     scaled: list[Vertex] = [(x * scale, y * scale) for x, y in chain]
     parts = [[(x * scale, y * scale) for x, y in part] for part in find_convex_parts(chain)]
     assert find_convex_parts(scaled) == parts
@@ -121,7 +121,7 @@ def test_corners_are_the_chain_without_straight_points(chain: list[Vertex]) -> N
 
 @given(own.monotone_polygons() | own.convex_polygons())
 @usually
-def test_split_gives_the_boundary_but_for_the_vertical_ends(polygon: Polygon) -> None:
+def test_split_returns_the_boundary_except_for_vertical_ends(polygon: Polygon) -> None:
     v = polygon.vertices
     bottom, top = split(v)
     left, right = min(x for x, _ in v), max(x for x, _ in v)
@@ -151,7 +151,7 @@ def test_repeated_points_change_no_result(first: Any) -> None:
     assert sweep_mm(top, bottom, doubled) == sweep_mm(top, bottom, plain)
 
 
-def test_chains_that_run_back_are_refused() -> None:
+def test_chains_that_reverse_are_rejected() -> None:
     message = r"\(1, 1\) lies left of \(2, 0\): not an X-monotone chain"
     back: list[Vertex] = [(0, 0), (2, 0), (1, 1), (3, 1)]
     top: list[Vertex] = [(1, 0), (0, 0)]
@@ -177,7 +177,7 @@ def test_polygons_that_are_not_monotone_have_no_chains() -> None:
         ([(0, 5), (2, 0), (3, 2), (5, 1), (7, 0)], r"\(3, 2\)"),
     ],
 )
-def test_a_chain_of_two_parts_is_refused_where_the_second_one_begins(
+def test_a_chain_of_two_parts_is_rejected_at_the_start_of_the_second(
     chain: list[Vertex], place: str
 ) -> None:
     with pytest.raises(ExactSweepError, match=f"at {place}$"):
@@ -185,7 +185,7 @@ def test_a_chain_of_two_parts_is_refused_where_the_second_one_begins(
 
 
 @pytest.mark.parametrize("chain", [[], [(0, 0)], [(0, 0), (0, 1)]])
-def test_chains_of_no_width_are_refused(chain: list[Vertex]) -> None:
+def test_chains_of_zero_width_are_rejected(chain: list[Vertex]) -> None:
     with pytest.raises(ChainError):
         find_convex_parts(chain)
     for procedure in trajectory_cm, trajectory_mm, sweep_inner_cm:

@@ -1,4 +1,4 @@
-"""Squares of a grid that are proved to be overlapped, and the remaining segments."""
+"""Grid squares proved to be overlapped, and the remaining segments."""
 
 from collections.abc import Iterator
 from fractions import Fraction
@@ -43,10 +43,10 @@ def test_each_corner_of_a_covered_square_is_overlapped(
     assert all(map(Overlaps(stationary, orbiting).at, list_corners(squares, side)))
 
 
-def test_a_large_square_is_covered_but_for_its_border() -> None:
+def test_a_large_square_is_covered_except_for_its_border() -> None:
     square: Rings = [[(0, 0), (64, 0), (64, 64), (0, 64)]]
     _, _, columns = add_squares(square, reflect(square), 4)
-    # Of 32 x 32 squares in O, those off its boundary, less at most two rows on each side.
+    # The 32 x 32 squares in O, except for one to three rows on each side.
     assert 26 * 26 <= sum(map(int.bit_count, columns)) <= 30 * 30
 
 
@@ -69,7 +69,7 @@ def test_segments_in_covered_squares_are_dropped() -> None:
 
 @given(polyominoes(9, 4), MATRICES, st.integers(1, 8), st.integers(-60, 60), st.booleans())
 @examples(30)
-def test_squares_are_those_of_the_definition(
+def test_squares_match_the_definition(
     cells: Cells, matrix: tuple[int, int, int, int], side: int, moved: int, is_off: bool
 ) -> None:
     aside = Fraction(1, 3) if is_off else 0
@@ -104,7 +104,7 @@ def meets(edge: tuple[Vertex, Vertex], box: tuple[int, int, int, int]) -> bool:
 
 
 def ring_of(size: int, x: int, y: int) -> list[Vertex]:
-    """A convex polygon of steps that turn from (1, 0) upwards, and back on straight edges."""
+    """A convex polygon of steps that turn from (1, 0) upwards, closed by straight edges."""
     points = [(x, y)]
     for k in range(size):
         points.append((points[-1][0] + size - k, points[-1][1] + k))
@@ -113,7 +113,7 @@ def ring_of(size: int, x: int, y: int) -> list[Vertex]:
 
 @pytest.mark.parametrize("far", [-(10**7), -1000, 0, 1000, 10**7])
 def test_squares_are_used_only_for_many_likely_crossings(far: int) -> None:
-    """At any position of the shapes: about as many segments as edges have few crossings."""
+    """At any position of the shapes: if segments are about as many as edges, crossings are few."""
     moved: tuple[Rings, Rings] = [ring_of(300, far, -far)], reflect([ring_of(20, far, far)])
     few = find_contact_segments(*moved)
     assert len(few) > 300

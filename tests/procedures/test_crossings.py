@@ -1,4 +1,4 @@
-"""Crossings of segments, and the remaining pieces: exhaustive over small cases."""
+"""Crossings of segments, and the remaining pieces, in all small cases."""
 
 from fractions import Fraction
 from itertools import pairwise, product
@@ -30,7 +30,7 @@ def through(
 def expect(
     one: ContactSegment, other: ContactSegment, x: Rational, y: Rational
 ) -> tuple[bool, bool, Sides]:
-    """Return the record of a cut: overlap before and after the other segment, and its sides."""
+    """Return the record of a cut: overlap before, after and on both sides of the other segment."""
     place = x if other.line[0] else y
     left, right = other.sides
     if place == other.low:
@@ -124,7 +124,7 @@ def test_crossing_segments_are_cut(
         assert sorted(one.cuts) == sorted(other.cuts)
 
 
-def test_boxes_hold_the_ends() -> None:
+def test_boxes_contain_the_ends() -> None:
     for shift in (0, Fraction(1, 3), Fraction(-2, 7)):
         for segment in segments(shift):
             left, right, low, high = segment.box

@@ -1,4 +1,4 @@
-"""Free positions among placed shapes: answers worked out by hand, and the definition."""
+"""Free positions among placed shapes: known answers, and the definition."""
 
 from collections import Counter
 from random import Random
@@ -32,7 +32,7 @@ def fits(*ends: tuple[object, object]) -> tuple[tuple[Point, ...], ...]:
     return tuple(zip(found[::2], found[1::2], strict=True))
 
 
-def test_without_placed_shapes_it_is_the_inner_fit() -> None:
+def test_without_placed_shapes_free_positions_are_the_inner_fit() -> None:
     assert free_positions(BIN, [], UNIT) == inner_fit_polygon(BIN, UNIT)
     assert free_positions(BIN, [], UNIT).regions == (Region(box(0, 0, 3, 2)),)
 
@@ -62,8 +62,8 @@ def test_the_last_piece_of_a_jigsaw_has_one_position() -> None:
     assert (full.regions, full.exact_fits, bool(full)) == ((), (), False)
 
 
-def test_placed_shapes_may_overlap_and_stick_out() -> None:
-    # Three equal shapes, of which two would cancel by the even-odd rule.
+def test_placed_shapes_may_overlap_and_leave_the_container() -> None:
+    # Three equal shapes, two of which would cancel by the even-odd rule.
     once = free_positions(BIN, [box(2, -5, 9, 9)], UNIT)
     twice = free_positions(BIN, [box(2, -5, 9, 9), box(2, -2, 5, 4)], UNIT)
     assert once.regions == twice.regions == (Region(box(0, 0, 1, 2)),)
@@ -71,7 +71,7 @@ def test_placed_shapes_may_overlap_and_stick_out() -> None:
     assert free_positions(BIN, [box(4, 0, 5, 9)], UNIT).regions == (Region(box(0, 0, 3, 2)),)
 
 
-def test_a_part_that_lies_around_a_placed_shape() -> None:
+def test_a_part_around_a_placed_shape() -> None:
     ring = Region(box(0, 0, 5, 5), [box(1, 1, 4, 4)])
     f = free_positions(box(0, 0, 8, 5), [box(2, 2, 4, 3)], ring)
     assert (f.regions, f.exact_fits) == ((), fits((0, 0), (1, 0)))
@@ -84,14 +84,14 @@ def test_the_reference_moves_the_answer() -> None:
     assert f.locate((2, 6)) == "inside"
 
 
-def test_a_refusal_names_the_shape() -> None:
+def test_an_error_names_the_shape() -> None:
     with pytest.raises(PolygonError, match=r"^placed shape 1: "):
         free_positions(BIN, [UNIT, [(0, 0), (1, 1)]], UNIT)
     with pytest.raises(PolygonError, match="do not cover placed shapes"):
         free_positions(BIN, [UNIT], UNIT).certificate()
 
 
-def test_positions_of_a_lattice_are_as_the_definition_says() -> None:
+def test_positions_on_a_lattice_match_the_definition() -> None:
     assert campaign.find_failures("scenes", 7, range(2)) == []
 
 

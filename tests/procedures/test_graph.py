@@ -1,4 +1,4 @@
-"""Lower envelopes: by hand, and compared with the minimum of all chains at single points."""
+"""Lower envelopes: known ones, and the minimum of all chains at single points."""
 
 from fractions import Fraction
 from itertools import pairwise, product
@@ -23,7 +23,7 @@ usually = examples(100)
 
 @st.composite
 def graphs(draw: st.DrawFn) -> Chain:
-    """Chains without walls, on a grid, over x-ranges that all hold the interval from 4 to 5."""
+    """Chains without walls, on a grid, over x-ranges that contain [4, 5]."""
     xs = {*draw(st.sets(own.tiny(0, 9), max_size=4)), draw(own.tiny(0, 4)), draw(own.tiny(5, 9))}
     return keep_corners([(x, draw(own.tiny(0, 5))) for x in sorted(xs)])
 
@@ -33,7 +33,7 @@ def value(at: Break) -> Fraction:
 
 
 def height(chain: Chain, x: Fraction) -> Fraction | None:
-    """The height of a chain at an x where it has no vertex."""
+    """The height of a chain at the abscissa of no vertex."""
     for (px, py), (qx, qy) in pairwise(chain):
         if px < x < qx:
             return py + Fraction(qy - py) * (x - px) / (qx - px)
@@ -42,11 +42,11 @@ def height(chain: Chain, x: Fraction) -> Fraction | None:
 
 @given(st.lists(graphs(), min_size=1, max_size=6))
 @usually
-def test_envelope_is_the_least_of_all_chains(chains: list[Chain]) -> None:
+def test_envelope_is_the_minimum_of_all_chains(chains: list[Chain]) -> None:
     found = list(lower_envelope_mm([to_graph(chain) for chain in chains]))
     corners = {x for x, _ in found}
     for k in range(9 * 7):
-        # No x of a grid point; where chains cross, the envelope has a corner.
+        # Not the x of a grid point; where chains cross, the envelope has a corner.
         x = Fraction(k, 7) + Fraction(1, 97)
         heights = [y for chain in chains if (y := height(chain, x)) is not None]
         if x not in corners:
@@ -141,10 +141,10 @@ def limits(chain: Chain, x: Fraction) -> list[Fraction]:
 
 @given(walled(), graphs_anywhere(), st.sampled_from([(1, 1), (1, 7), (Fraction(1, 1000), 1)]))
 @examples(200)
-def test_a_piece_takes_over_where_it_is_lower_for_good(
+def test_a_piece_takes_over_where_it_stays_lower(
     partial: Chain, drawn: Chain, spelled: tuple[Rational, int]
 ) -> None:
-    """In any unit, and with breaks not in lowest terms; all of the partial envelope right of it."""
+    """In any unit, with breaks not in lowest terms, and also beyond the end of the envelope."""
     unit, times = spelled
     piece: Chain = [(x - 1, y) for x, y in drawn]
     given = [to_graph([(unit * x, unit * y) for x, y in chain]) for chain in (partial, piece)]
@@ -165,7 +165,7 @@ def test_a_piece_takes_over_where_it_is_lower_for_good(
         if below[0] <= above[0]
     ]
     last = max(touched, default=start)
-    # A piece that ends first, and is not lower there, changes nothing.
+    # A piece that ends first and is not lower at its end changes nothing.
     last = partial[-1][0] if last == end < partial[-1][0] else last
     for x in ((x + y) / 2 for x, y in pairwise(borders)):
         of = partial if x < max(last, start) else piece
@@ -173,7 +173,7 @@ def test_a_piece_takes_over_where_it_is_lower_for_good(
     assert (found[0][0], found[-1][0]) == (partial[0][0], max(last, end))
 
 
-def test_a_piece_that_starts_before_replaces_all_that_is_above_it() -> None:
+def test_a_piece_that_starts_earlier_replaces_everything_above_it() -> None:
     partial = to_graph([(0, 0), (4, 2)])
     assert list(lower_envelope_cm(partial, to_graph([(-1, -1), (6, -1)]))) == [(-1, -1), (6, -1)]
     # Left of the crossing the sum of an earlier part is lower.
@@ -183,7 +183,7 @@ def test_a_piece_that_starts_before_replaces_all_that_is_above_it() -> None:
 
 
 def test_a_gap_of_the_partial_envelope_counts_as_infinitely_high() -> None:
-    """The walk goes on over a gap, and over what lies left of it, as long as the piece is lower."""
+    """The walk continues across a gap, and left of it, as long as the piece is lower."""
     for left, expected in (
         (-1, [(0, 0), (2, 0), (2, -1), (9, -1)]),
         (1, [(0, 0), (1, 0), (1, -1), (9, -1)]),
@@ -198,13 +198,13 @@ def test_a_gap_of_the_partial_envelope_counts_as_infinitely_high() -> None:
     assert [value(at) for at in late.breaks] == [0, 2, 3, 5, 9]
 
 
-def test_hole_between_chains_is_refused_when_it_is_read() -> None:
+def test_a_hole_between_chains_is_rejected_on_reading() -> None:
     gapped = lower_envelope_mm([to_graph([(0, 0), (1, 0)]), to_graph([(2, 0), (3, 0)])])
     with pytest.raises(ChainError, match="the envelope has a gap"):
         list(gapped)
 
 
-def test_equal_breaks_need_not_be_written_alike() -> None:
+def test_equal_breaks_may_have_different_forms() -> None:
     """A former crash: a piece from x = -12/6 on, joined to a partial envelope up to x = -2."""
     partial, piece = to_graph([(-4, 0), (-2, -1)]), to_graph([(-3, 0), (-1, -2), (0, -2)])
     piece.breaks[0] = (-12, 6)
@@ -212,7 +212,7 @@ def test_equal_breaks_need_not_be_written_alike() -> None:
 
 
 def test_chains_may_share_their_points() -> None:
-    """Equal constants are one object; in a former version, that hid a reflex vertex."""
+    """Equal constants are one object; a former version then missed a reflex vertex."""
     shared = (4, 2)
     first, second = to_graph([(0, 2), (2, 0), shared]), to_graph([shared, (5, 1), (6, 1)])
     joined = lower_envelope_cm(first, second)

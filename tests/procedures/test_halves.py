@@ -28,7 +28,7 @@ Trajectory = Callable[[Half, Half], Half]
 Boundaries = Callable[[Half, Half, Half], tuple[Half, Half]]
 usually = examples(60)
 
-# Of G's top and D's bottom the trajectory; of G's top and bottom and D's bottom what is swept.
+# Trajectories of G's top and D's bottom; boundaries of G's top and bottom and D's bottom.
 TRAJECTORY: dict[str, Trajectory] = {
     "CC": trajectory_cc,
     "CM": lambda top, wall: list(trajectory_cm(top, wall)),
@@ -56,7 +56,7 @@ def chains(kind: own.Kind) -> st.SearchStrategy[tuple[Half, Half, Half]]:
 
 
 @pytest.mark.parametrize("kind", KINDS)
-def test_halves_are_those_of_the_whole_sweep(kind: own.Kind) -> None:
+def test_halves_match_the_whole_sweep(kind: own.Kind) -> None:
     @given(own.pairs(kind))
     @usually
     def check(pair: tuple[Polygon, Polygon]) -> None:
@@ -70,7 +70,7 @@ def test_halves_are_those_of_the_whole_sweep(kind: own.Kind) -> None:
 
 
 @pytest.mark.parametrize(("kind", "other"), [("CC", "CM"), ("CC", "MM"), ("CM", "MM")])
-def test_a_wider_class_gives_the_same(kind: own.Kind, other: own.Kind) -> None:
+def test_procedures_of_wider_classes_agree(kind: own.Kind, other: own.Kind) -> None:
     @given(chains(kind))
     @usually
     def check(drawn: tuple[Half, Half, Half]) -> None:
@@ -96,8 +96,8 @@ def test_outer_boundary_is_the_trajectory_swept_by_the_inverse(kind: own.Kind) -
 
 
 @pytest.mark.parametrize("kind", KINDS)
-def test_inner_boundary_closes_and_never_opens(kind: own.Kind) -> None:
-    """Sweep again, it is its own inner boundary, and has the same trajectory."""
+def test_sweeping_the_inner_boundary_again_changes_nothing(kind: own.Kind) -> None:
+    """The inner boundary is its own inner boundary and has the same trajectory."""
 
     @given(chains(kind))
     @usually
@@ -112,7 +112,7 @@ def test_inner_boundary_closes_and_never_opens(kind: own.Kind) -> None:
 
 
 @pytest.mark.parametrize("kind", KINDS)
-def test_ints_and_fractions_give_the_same(kind: own.Kind) -> None:
+def test_ints_and_fractions_agree(kind: own.Kind) -> None:
     def shrink(chain: Half) -> Half:
         return [(Fraction(x) / 7, Fraction(y) / 7) for x, y in chain]
 

@@ -26,7 +26,7 @@ Choice = Callable[[list[Fraction]], Fraction]  # min or max
 
 
 class Function:
-    """A chain, left to right, as a function of x; at a wall or an end its limits from within."""
+    """A chain, left to right, as a function of x, with one-sided limits at walls and ends."""
 
     def __init__(self, chain: Sequence[Vertex]) -> None:
         self._edges = list_edges(chain)
@@ -42,13 +42,13 @@ class Function:
 
 
 def combine(f: Function, g: Function, x: Fraction, choose: Choice) -> Fraction:
-    """The least or the greatest f(x - w) + g(w), at an x that is no sum of corners."""
+    """The minimum or maximum of f(x - w) + g(w), at an x that is no sum of vertices."""
     arguments = {*g.xs, *(x - u for u in f.xs)}
     return choose([a + b for w in arguments for a in f.limits(x - w) for b in g.limits(w)])
 
 
 def draw_chain(rng: Random, edges: int) -> list[Vertex]:
-    """Steps on a small grid, some of them walls, none of which is at an end."""
+    """Random steps on a small grid, including walls, but not at the ends."""
     steepest = rng.choice([1, 2, 6])
     chain: list[Vertex] = [(0, rng.randint(-steepest, steepest))]
     for k in range(edges):
@@ -62,7 +62,7 @@ def draw_chain(rng: Random, edges: int) -> list[Vertex]:
 
 @pytest.mark.parametrize("strips", [1, ceiling.STRIPS])
 @pytest.mark.parametrize("seed", mostly_long(range(0, 120, 12), [0]))
-def test_halves_are_the_least_or_the_greatest_sum(
+def test_halves_are_minima_and_maxima_of_sums(
     seed: int, strips: int, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr(ceiling, "STRIPS", strips)
@@ -98,7 +98,7 @@ def check(rng: Random, d: Sequence[Vertex], top: Sequence[Vertex], below: Sequen
     ):
         left, right = found.range
         for _ in range(8):
-            # A denominator that no sum of corners has, and corners of small ones on either side.
+            # No sum of vertices has this denominator, so x lies strictly between them.
             x = left + (right - left) * Fraction(rng.randrange(1, 9973), 9973)
             (height,) = found.limits(x)
             assert height == combine(f, g, x, choose), (d, top, below, x)

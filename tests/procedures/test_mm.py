@@ -42,7 +42,7 @@ def envelope_of_all_pairs(top: list[Vertex], bottom: list[Vertex]) -> list[Verte
 def test_no_pair_of_convex_parts_is_missed(
     first: int, strips: int, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    """Lemma 5.1, thrice: pairs that are not swept would not have reached the envelope."""
+    """Lemma 5.1, three times: pairs that are not swept do not reach the envelope."""
     monkeypatch.setattr(ceiling, "STRIPS", strips)
     for number in range(first, first + 20):
         rng = random.Random(f"all pairs:{number}")
@@ -61,8 +61,8 @@ def test_no_pair_of_convex_parts_is_missed(
 
 @given(own.pairs("MM"))
 @examples(40)
-def test_slopes_that_are_all_but_equal_are_distinguished(pair: Pair) -> None:
-    """Squeezed in y, all slopes have the same bounds, and what they decided is decided exactly."""
+def test_nearly_equal_slopes_are_distinguished(pair: Pair) -> None:
+    """Squeezed in y, all slopes have the same bounds, so all comparisons are exact."""
     squeezed = [Polygon([(x, y / 2**99) for x, y in polygon.vertices]) for polygon in pair]
     s, t = sweep(*pair, direction=(1, 0)), sweep(*squeezed, direction=(1, 0))
     for loop, other in zip(
@@ -72,9 +72,9 @@ def test_slopes_that_are_all_but_equal_are_distinguished(pair: Pair) -> None:
 
 
 def test_a_run_may_be_above_a_piece_that_is_in_it() -> None:
-    """A piece starts below the run and crosses a step of it: it is not on the envelope there.
+    """A piece starts below the run and crosses a step of it, above the envelope.
 
-    The chain right of the step is cut off to the left, where it would be even lower.
+    The chain right of the step is cut at its left end, where it would be even lower.
     """
     pair = (
         Polygon([(5, 16), (3, 25), (1, 4), (0, 0)]),

@@ -20,7 +20,7 @@ def zigzag(size: int) -> list[Vertex]:
 
 
 def saw(size: int) -> list[Vertex]:
-    """A saw with high teeth, which fill half of its bounds."""
+    """A saw with tall teeth, which fill half of its bounds."""
     teeth = [(x, 100 if x % 2 else 3) for x in range(size)]
     return [(0, 0), (size - 1, 0), *reversed(teeth)]
 
@@ -29,11 +29,11 @@ def find_left(stationary: Rings, moving: Rings) -> list[ContactSegment]:
     return find_contact_segments(stationary, moving, leave_out_overlapped)
 
 
-# Two rows of 40 teeth each way and what is between them; of saws an octagon, as tips are in line.
+# Zigzags leave two rows of 40 teeth in each direction; saws leave an octagon.
 @pytest.mark.parametrize(
     ("ring", "contacts", "few", "corners"), [(zigzag(80), 3200, 236, 236), (saw(81), 3284, 164, 8)]
 )
-def test_spikes_across_spikes_leave_about_the_edges_of_the_answer(
+def test_crossing_spikes_leave_little_more_than_the_answer(
     ring: list[Vertex], contacts: int, few: int, corners: int
 ) -> None:
     moving = [[(y, -x) for x, y in ring]]

@@ -1,4 +1,4 @@
-"""Groups of shapes as one rigid shape: answers worked out by hand, and the definition."""
+"""Groups of shapes as one rigid shape: known answers, and the definition."""
 
 from fractions import Fraction
 from itertools import product
@@ -55,7 +55,7 @@ def test_a_single_pair_is_its_no_fit_polygon() -> None:
     assert n.exact_fits == one.exact_fits
 
 
-def test_regions_that_touch_are_apart() -> None:
+def test_touching_regions_stay_separate() -> None:
     # The squares of overlap share the corner (1, 1).
     corners = no_fit_union([UNIT, box(2, 2, 3, 3)], [UNIT])
     assert corners.regions == (Region(box(-1, -1, 1, 1)), Region(box(1, 1, 3, 3)))
@@ -86,14 +86,14 @@ def test_an_attached_shape_moves_with_the_part() -> None:
     f = free_positions(box(0, 0, 9, 3), [], UNIT, attached=[box(3, 0, 4, 1)])
     assert f.regions == (Region(box(0, 0, 5, 2)),)
     placed = free_positions(box(0, 0, 9, 1), [box(2, 0, 3, 1)], UNIT, attached=[box(3, 0, 4, 1)])
-    # Both stand left of the placed box, on both sides of it, or right of it.
+    # Both parts are left of the placed box, on both sides of it, or right of it.
     assert placed.exact_fits == (points((0, 0), (1, 0)), points((3, 0), (5, 0)))
     exact = free_positions(box(0, 0, 4, 1), [], UNIT, attached=[box(3, 0, 4, 1)])
     assert exact.exact_fits == (points((0, 0), (0, 0)),)
     assert f != inner_fit_polygon(box(0, 0, 9, 3), UNIT)
 
 
-def test_refusals_name_the_shape() -> None:
+def test_errors_name_the_shape() -> None:
     with pytest.raises(PolygonError, match=r"^orbiting shape 1: "):
         no_fit_union([UNIT], [UNIT, [(0, 0), (1, 1)]])
     with pytest.raises(PolygonError, match="stationary has no shape"):
@@ -141,7 +141,7 @@ def list_positions(regions: tuple[Region, ...]) -> list[Point]:
 
 @given(groups, groups, st.randoms(use_true_random=False))
 @settings(max_examples=30)
-def test_positions_are_as_the_definition_says(
+def test_positions_match_the_definition(
     stationary: list[Region], orbiting: list[Region], rng: Random
 ) -> None:
     n = no_fit_union(stationary, orbiting)
@@ -156,7 +156,7 @@ def test_positions_are_as_the_definition_says(
 
 @given(groups, groups)
 @settings(max_examples=30)
-def test_each_region_of_overlap_is_connected_and_apart(
+def test_regions_of_overlap_are_connected_and_disjoint(
     stationary: list[Region], orbiting: list[Region]
 ) -> None:
     n = no_fit_union(stationary, orbiting)
@@ -168,7 +168,7 @@ def test_each_region_of_overlap_is_connected_and_apart(
 
 @given(groups, groups, st.randoms(use_true_random=False))
 @settings(max_examples=30)
-def test_free_positions_of_a_group_are_as_the_definition_says(
+def test_free_positions_of_a_group_match_the_definition(
     placed: list[Region], parts: list[Region], rng: Random
 ) -> None:
     bin, frame = box(-3, -3, 9, 9), Region(box(-99, -99, 99, 99), [box(-3, -3, 9, 9)])

@@ -1,4 +1,4 @@
-"""Polygons of any shape: answers by hand, by counting squares, and by the paper's procedures."""
+"""Polygons of any shape: known answers, counted squares, and the procedures of the paper."""
 
 from collections.abc import Sequence
 from fractions import Fraction
@@ -62,14 +62,14 @@ def test_a_region_may_lie_in_the_hole_of_another() -> None:
     assert f.exact_fits == ()
 
 
-# A cave of 2 x 2 with a gap in its right wall, from y = 1 to 2 or to less.
+# A cavity of 2 x 2 with a gap in its right wall, from y = 1 to at most 2.
 GAPPED = [(0, 0), (4, 0), (4, 1), (1, 1), (1, 3), (3, 3), (3, 2), (4, 2), (4, 4), (0, 4)]
 
 
-def test_a_cave_that_can_be_entered_exactly() -> None:
+def test_a_cavity_with_an_exact_entry() -> None:
     n = no_fit_polygon(GAPPED, UNIT)
     assert n.holes == (Polygon(box(1, 1, 2, 2)),)
-    # Through the gap, from the cave to the outside; both ends lie on loops.
+    # Through the gap, from the cavity to the outside; both ends lie on loops.
     assert n.exact_fits == fits((2, 1), (4, 1))
 
 
@@ -79,14 +79,14 @@ def test_defects_whose_loops_touch_in_a_point_stay_two_rings() -> None:
     assert found.holes == (Polygon(box(2, 2, 4, 4)), Polygon(box(4, 4, 6, 6)))
 
 
-def test_three_loops_that_touch_in_two_points_stay_three_rings() -> None:
-    """One walk around them passes each of the points twice."""
+def test_three_loops_that_touch_at_two_points_stay_three_rings() -> None:
+    """A single walk around them would pass each of the points twice."""
     defects = [box(5, 7, 6, 8), box(7, 5, 8, 6), box(9, 7, 10, 8)]
     (found,) = inner_fit_polygon(Region(box(0, 0, 13, 13), defects), UNIT).regions
     assert found.holes == tuple(map(Polygon, [box(4, 6, 6, 8), box(6, 4, 8, 6), box(8, 6, 10, 8)]))
 
 
-def test_a_defect_whose_loop_touches_the_outer_one_in_a_point() -> None:
+def test_a_defect_whose_loop_touches_the_outer_one_at_a_point() -> None:
     diamond, part = [(2, 5), (3, 4), (4, 5), (3, 6)], [(0, 0), (2, 1), (0, 2)]
     (found,) = inner_fit_polygon(Region(box(0, 0, 10, 10), [diamond]), part).regions
     (hole,) = found.holes
@@ -94,16 +94,16 @@ def test_a_defect_whose_loop_touches_the_outer_one_in_a_point() -> None:
     assert hole.vertices[0] == Point(Fraction(0), Fraction(4))
 
 
-def test_a_fit_that_passes_by_the_corner_of_a_room_is_cut_there() -> None:
-    """A triangle on its tip fills a corridor, and goes up where there is a funnel above it."""
+def test_a_fit_is_cut_at_the_corner_of_a_chamber() -> None:
+    """A triangle on its tip fills a corridor; below a funnel it can also rise."""
     funnel = [(0, 0), (10, 0), (10, 1), (6, 1), (8, 3), (2, 3), (4, 1), (0, 1)]
     n = no_fit_polygon(Region(box(-1, -1, 11, 4), [funnel]), [(1, 0), (2, 1), (0, 1)])
     assert n.holes == (Polygon([(4, 0), (6, 2), (2, 2)]),)
     assert n.exact_fits == fits((4, 0), (0, 0), (4, 0), (8, 0))
 
 
-def test_fits_that_cross_are_whole() -> None:
-    """Through an opening as wide as G, which can be entered from the corridor at (4, 0) alone."""
+def test_crossing_fits_are_not_split() -> None:
+    """Through an opening as wide as G, accessible only from the corridor at (4, 0)."""
     corridor = [(0, 0), (10, 0), (10, 1), (5, 1), (6, 3), (3, 3), (4, 1), (0, 1)]
     n = no_fit_polygon(Region(box(-2, -2, 12, 5), [corridor]), UNIT)
     assert n.exact_fits == fits((0, 0), (9, 0), (4, 1), (4, 0))
@@ -113,8 +113,8 @@ def test_fits_that_cross_are_whole() -> None:
     assert n.exact_fits == fits((1, 2), (3, 2), (2, 1), (2, 3))
 
 
-def test_links_hold_each_other_in_a_single_position() -> None:
-    """No edge of either can slide along the other: the defect and the wall touch in the origin."""
+def test_interlocked_links_have_a_single_position() -> None:
+    """No edge of either can slide along the other: the defect and the wall touch at the origin."""
     wall = [(-20, -20), (20, -20), (20, -5), (0, 0), (20, 5), (20, 20), (-20, 20)]
     arms = [(-10, -10), (1, -10), (0, 0), (1, 10), (-10, 10)]
     gap = [(0, 0), (-1, 5), (-8, 5), (-8, -5), (-1, -5)]
@@ -130,14 +130,14 @@ def test_the_reference_point_moves_all() -> None:
 
 
 @given(st.one_of(pairs("CC"), pairs("CM"), pairs("MM")))
-def test_the_paper_s_procedures_give_the_same(pair: tuple[Polygon, Polygon]) -> None:
+def test_the_procedures_of_the_paper_agree(pair: tuple[Polygon, Polygon]) -> None:
     generatrix, directrix = pair
     s, n = sweep(generatrix, directrix), computed(Region(directrix), Region(generatrix))
     assert (n.exterior, n.holes, n.exact_fits) == (s.trajectory, (), s.exact_fits)
 
 
 @pytest.mark.long
-def test_answers_are_those_of_the_corpus() -> None:
+def test_answers_match_the_corpus() -> None:
     for case in cases(max_size=150):
         n = NoFitPolygon(Region(case.directrix), Region(case.generatrix), None, case.reference)
         assert (n.exterior, n.holes, n.exact_fits) == (
@@ -176,10 +176,10 @@ def test_polyominoes_counted_square_by_square(d: Cells, g: Cells, matrix: Matrix
 
 
 @given(polyominoes(9, 4), st.sampled_from(SHEARS), st.sampled_from([1, 2]))
-def test_a_polyomino_in_its_own_mould(g: Cells, matrix: Matrix, width: int) -> None:
-    mould = frame(g, width)
-    if len(connect(set(mould))) == len(mould):
-        check(mould, g, matrix)
+def test_a_polyomino_in_its_own_mold(g: Cells, matrix: Matrix, width: int) -> None:
+    mold = frame(g, width)
+    if len(connect(set(mold))) == len(mold):
+        check(mold, g, matrix)
 
 
 @given(polyominoes(8, 4), polyominoes(5, 3), st.sampled_from([10**30, 10**-30]))
@@ -206,7 +206,7 @@ def test_slopes_that_differ_by_less_than_a_unit_are_distinguished() -> None:
     assert computed(Region(d), Region(g)).exterior == sweep(g, d).trajectory
 
 
-def test_numbers_on_no_lattice_of_use_change_no_answer() -> None:
+def test_numbers_without_a_useful_lattice_change_no_answer() -> None:
     factor = 1 + Fraction(1, 3**5200)
     links = [(0, 0), (7, 0), (7, 5), (5, 5), (5, 4), (6, 4), (6, 1), (1, 1), (1, 4), (3, 4), (3, 5)]
     d, g = [*links, (0, 5)], [(0, 0), (2, 1), (1, 2)]
@@ -223,7 +223,7 @@ def test_numbers_on_no_lattice_of_use_change_no_answer() -> None:
 @pytest.mark.parametrize(
     ("part", "fits"), [((7, 5), True), ((8, 1), False), ((1, 6), False), ((1, 1), True)]
 )
-def test_a_part_that_is_too_long_or_too_high_does_not_fit(
+def test_a_part_that_is_too_long_or_too_tall_does_not_fit(
     part: tuple[int, int], fits: bool
 ) -> None:
     found = find_inner_fit([box(0, 0, 7, 5)], [box(0, 0, *part)])

@@ -1,6 +1,6 @@
 """The two pruning steps change no answer: pairs with one of them, with both, and with none.
 
-Most pairs are too small for the steps, which are then forced.
+Most pairs are too small for these steps, so the tests force them.
 """
 
 from fractions import Fraction
@@ -78,7 +78,7 @@ def test_shapes_with_holes_have_the_same_answer(number: int) -> None:
 
 @pytest.mark.parametrize(("thin", "wide"), STEPS)
 @pytest.mark.long
-def test_the_corpus_has_the_same_answers(thin: bool, wide: bool) -> None:
+def test_pruning_changes_no_answer_of_the_corpus(thin: bool, wide: bool) -> None:
     for case in cases(max_size=200):
         if case.kind != "SS":
             continue

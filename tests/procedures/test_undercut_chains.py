@@ -1,4 +1,4 @@
-"""Undercuts below walls, in points and over steps, by hand."""
+"""Undercuts below walls, at points and over steps: known answers."""
 
 import pytest
 

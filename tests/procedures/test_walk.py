@@ -1,4 +1,4 @@
-"""Walks around free regions, and the loop around all overlap, which needs no test."""
+"""Walks around free regions, and the loop around all overlap, which needs no overlap test."""
 
 from collections.abc import Sequence
 from fractions import Fraction
@@ -26,7 +26,7 @@ def cut(stationary: Rings, orbiting: Rings) -> Pieces:
     return crossings.cut(find_contact_segments(stationary, reflect(orbiting)))
 
 
-def test_a_pair_without_caves_takes_one_test() -> None:
+def test_a_pair_without_cavities_takes_one_test() -> None:
     star = [(0, 0), (9, 4), (20, 0), (16, 9), (20, 20), (9, 16), (0, 20), (4, 9)]
     asked: list[HomogeneousPoint] = []
 
@@ -44,7 +44,7 @@ COMPASS = [(1, 0), (2, 1), (1, 1), (0, 1), (-1, 1), (-1, 0), (-2, -1), (-1, -1),
 
 @pytest.mark.parametrize("turns", [1, -1])
 def test_the_next_piece_is_the_first_counter_clockwise_from_the_reverse(turns: int) -> None:
-    """Never the reverse itself, if there is another one."""
+    """Never the reverse itself if there is another piece."""
     for back, first, second in product(range(10), repeat=3):
         if first == second:
             continue
@@ -72,12 +72,12 @@ def test_a_walk_is_split_where_it_revisits_a_point() -> None:
 
 
 def is_overlapped(free: Sequence[bool], position: HomogeneousPoint) -> bool:
-    """Decide whether a ring is not free: of the right or left triangle, or of the square."""
+    """Decide whether a ring bounds overlap: the right or left triangle, or the square."""
     x, y, w = position
     return not free[2 if max(abs(x), abs(y)) == 4 * w else x < 0]
 
 
-def test_the_end_on_a_loop_comes_first_if_only_one_is() -> None:
+def test_a_single_end_on_a_loop_comes_first() -> None:
     p, q = (0, 0, 1), (2, 3, 2)
     near, far = Point(Fraction(0), Fraction(0)), Point(Fraction(1, 5), Fraction(3, 10))
     line = 2, 3, 0
@@ -107,7 +107,7 @@ def test_directions_are_found_once() -> None:
     found = find_monotone_directions(spikes)
     assert not found
     assert find_monotone_directions(spikes) is found
-    # A copy knows as much; an image is asked for itself.
+    # A copy keeps the cached result; an image computes its own.
     assert find_monotone_directions(Polygon(spikes)) is found
     assert find_monotone_directions(spikes.translated((1, 0))) == found
     assert find_shared_direction(spikes, box) is None

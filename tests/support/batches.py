@@ -1,4 +1,4 @@
-"""Helpers that run a batch in a process and find its workers."""
+"""Functions that run a batch in a process and find its workers."""
 
 import subprocess
 from collections.abc import Callable, Sequence

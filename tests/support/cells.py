@@ -10,7 +10,7 @@ from exactsweep.geometry.region import Region
 
 
 class Holed(NamedTuple):
-    """A polygon and its holes."""
+    """A polygon with holes."""
 
     exterior: Polygon
     holes: tuple[Polygon, ...] = ()
@@ -26,7 +26,7 @@ class Holed(NamedTuple):
 
 
 def shape_of(cells: Iterable[Cell]) -> Holed:
-    """The shape of a connected set of cells."""
+    """Return the shape of a connected set of cells."""
     shape = trace_outline(cells)
     return Holed(shape.exterior, shape.holes)
 

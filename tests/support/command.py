@@ -1,4 +1,4 @@
-"""Helpers that run the command line."""
+"""Functions that run the command line."""
 
 import os
 import re

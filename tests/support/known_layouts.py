@@ -1,4 +1,4 @@
-"""Layouts of kinds that the corpus lacks, with verdicts by hand."""
+"""Layouts of kinds that the corpus lacks, with known verdicts."""
 
 from fractions import Fraction
 

@@ -1,4 +1,4 @@
-"""Short notation for layouts by hand."""
+"""Short notation for handwritten layouts."""
 
 from collections.abc import Sequence
 from fractions import Fraction

@@ -114,7 +114,7 @@ def bound(shapes: list[Rounded]) -> tuple[Fraction, Fraction, Fraction, Fraction
 
 
 def place(data: dict[str, Any], k: int) -> Rounded:
-    """Return a placed part: mirrored, turned, moved."""
+    """Return a placed part: mirrored, rotated, translated."""
     placement = data["placements"][k]
     part = next(one for one in data["parts"] if one["id"] == placement["part"])
     piece = part["pieces"][0] if "pieces" in part else {"points": part["exterior"], "radius": "0"}

@@ -47,7 +47,7 @@ def differs(case: Case) -> list[str]:
     exterior, *holes = _sum(d, inverse[:1])
     if len(inverse) > 1:
         holes += _sum(inverse, d[:1])[1:]
-    # The library also reports a hole if one polygon lies inside the other, or in a gap of it.
+    # The library also reports a hole if one polygon is inside the other, or in a gap of it.
     holes = [hole for hole in holes if _is_hole(d, g, hole)]
     # Its own collinear vertices crash the library.
     path = Polygon(exterior).vertices

@@ -68,7 +68,7 @@ def star_rings(draw: st.DrawFn) -> Ring:
     """Draw star-shaped rings, usually not monotone."""
     compass = [(1, 0), (2, 1), (1, 1), (1, 2), (0, 1), (-1, 1), (-2, 1), (-1, 0)]
     compass += [(-2, -1), (-1, -1), (0, -1), (1, -2), (1, -1)]
-    # The first, sixth and eleventh see the origin inside their triangle.
+    # The first, sixth and eleventh points form a triangle around the origin.
     rays = [ray for i, ray in enumerate(compass) if i % 5 == 0 or draw(st.booleans())]
     return [(r * x, r * y) for x, y in rays for r in [draw(tiny(1, 4))]]
 

@@ -1,4 +1,4 @@
-"""The extracted checker with one side of one conjunction dropped, and claims that show it.
+"""The extracted checker with one side of one conjunction dropped, and claims that detect it.
 
 A single program numbers all conjunctions and reports the dropped sides that change the answer to a
 claim. It tries only sides whose value decides a conjunction, each until a claim reveals it.

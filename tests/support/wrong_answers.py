@@ -1,4 +1,4 @@
-"""Sabotages of the paper's procedures that give wrong answers."""
+"""Sabotages of the paper's procedures that cause wrong answers."""
 
 from itertools import pairwise
 from math import inf

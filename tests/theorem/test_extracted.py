@@ -137,7 +137,7 @@ def test_other_versions_have_no_theorem() -> None:
         to_claim({**certificate, "version": 2})
 
 
-def test_overlap_and_outside_are_not_exchanged() -> None:
+def test_overlap_and_outside_are_distinguished() -> None:
     certificate = json.loads(json.dumps(small_certificates()["faults"]))
     kinds = {"overlap": "outside", "outside": "overlap"}
     for fault in certificate["faults"]:
@@ -146,7 +146,7 @@ def test_overlap_and_outside_are_not_exchanged() -> None:
                 to_claim({**certificate, "faults": [{**fault, "kind": kinds[fault["kind"]]}]})
 
 
-def test_rotations_are_those_of_placements_and_allowed() -> None:
+def test_rotations_match_the_placements_and_the_allowed_ones() -> None:
     square = {"id": "a", "exterior": [["0", "0"], ["1", "0"], ["1", "1"], ["0", "1"]], "error": "2"}
     layout = {
         "parts": [{**square, "turns": ["0", "33"]}],
@@ -177,7 +177,7 @@ def test_rotations_are_those_of_placements_and_allowed() -> None:
 
 @needs_tools
 @pytest.mark.long
-def test_rational_rotations_are_not_those_that_they_replace() -> None:
+def test_rational_rotations_do_not_count_as_the_exact_ones() -> None:
     square = {"id": "a", "exterior": rect(0, 0, 1, 1), "turns": ["33"]}
     placements = [{"part": "a", "move": ["0", "0"], "turn": "33"}]
     layout = {"parts": [square], "placements": placements}
