@@ -452,7 +452,7 @@ def boundary(name: str, d: Rings, h: Rings, known: Any, listed: Any, *beyond: An
     one, other = ([from_lowest(piece) for piece in pieces] for pieces in (d, h))
 
     @lru_cache(10**5 // max(map(len, d + h)) + 1)
-    def sides(k: Any) -> list[Edge]:  # a half-plane instead of a number is its only side
+    def sides(k: Any) -> list[Edge]:  # a half-plane, given as k, is its only side
         need(type(k) is tuple or 0 <= k < len(d) * n, f"{name}: there is no sum {k}")
         return [k] if type(k) is tuple else add_pieces(one[k // n], other[k % n])
 
@@ -587,7 +587,7 @@ def find_broken(part: Any, used: list[tuple[Any, bool]]) -> Iterator[str]:
 
 
 def gap(one: Ring, other: Ring, normal: Sequence[int], distance: Rational) -> bool:
-    """Decide whether a normal proves that two pieces are a distance apart."""
+    """Decide whether a normal proves that two pieces are at least `distance` apart."""
     (x, y), w, v, (n, m) = normal, one[0][2], other[0][2], distance.as_integer_ratio()
     spend(7 + len(one) + len(other))
     found = min(x * s + y * t for s, t, _ in other) * w - max(x * s + y * t for s, t, _ in one) * v

@@ -82,7 +82,7 @@ def _read_with_path(
 @click.option(
     "--certificate",
     is_flag=True,
-    help="Write a certificate for 'exactsweep verify'. For two polygons, it is about the no-fit "
+    help="Write a certificate for 'exactsweep verify'. For two polygons, it certifies the no-fit "
     "polygon of A and -B, which has the same boundary.",
 )
 @takes_format

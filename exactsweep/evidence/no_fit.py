@@ -42,7 +42,7 @@ class RegionAnswer(Certified):
 
     @cached_property
     def exact_fits(self) -> tuple[Fit, ...]:
-        """The positions without room to either side, in the form of `NoFitPolygon.exact_fits`."""
+        """The positions without play on either side, as in `NoFitPolygon.exact_fits`."""
         return place_fits(self.solution.fits, self.reference)
 
     def _locate(self, position: Iterable[object]) -> Literal["inside", "boundary", "outside"]:
@@ -122,7 +122,7 @@ class NoFitAnswer(OverlapRegions):
 
     @cached_property
     def holes(self) -> tuple[Polygon, ...]:
-        """The loops around free positions in caves and holes, sorted."""
+        """The loops around free positions in cavities and holes, sorted."""
         return tuple(place_loop(hole, self.reference) for hole in self.solution.holes)
 
     @cached_property
@@ -132,7 +132,7 @@ class NoFitAnswer(OverlapRegions):
 
     @cached_property
     def exact_fits(self) -> tuple[Fit, ...]:
-        """Free positions without room to either side: segments and points, sorted.
+        """Free positions without play on either side: segments and points, sorted.
 
         If only one end of a segment lies on a loop, it comes first. A single position is a segment
         with equal ends.

@@ -89,7 +89,7 @@ class Overlap:
     def move(self) -> Point:
         """The shortest translation of b after which the shapes do not overlap.
 
-        It may lead into a hole or a cave of the other shape, or to an exact fit. Among equally
+        It may lead into a hole or a cavity of the other shape, or to an exact fit. Among equally
         short ones, it is the lexicographically least.
         """
         if self.verdict != "OVERLAP":

@@ -181,7 +181,7 @@ class _Guide:
                 listed.append(Landmark("undercut opens", number, positions[0]))
                 listed.append(Landmark("undercut closes", number, positions[-1]))
         for number, fit in enumerate(self.sweep.exact_fits):
-            # An exact fit in a cave or a hole has no end on the trajectory.
+            # An exact fit in a cavity or a hole has no end on the trajectory.
             hanging = [end for end in fit if self._edge_to(end) is not None]
             listed += [Landmark("exact fit", number, end) for end in hanging[:1]]
         found: defaultdict[int, list[Landmark]] = defaultdict(list)

@@ -113,7 +113,7 @@ class SweepAnswer(Certified):
 
     @cached_property
     def no_fit_holes(self) -> tuple[Polygon, ...]:
-        """The holes of the no-fit polygon, sorted: positions of G in a cave or a hole of D."""
+        """The holes of the no-fit polygon, sorted: positions of G in a cavity or a hole of D."""
         return tuple(place_loop(loop, self.reference) for loop in self.solution.holes)
 
     @cached_property
@@ -178,7 +178,7 @@ class SweepAnswer(Certified):
     def contacts_along(
         self, loops: Iterable[Iterable[Iterable[object]]]
     ) -> Iterator[tuple[tuple[Contact, ...], ...]]:
-        """Find the contacts along the edges of loops of free positions, in the form of `contacts`.
+        """Find the contacts along the edges of loops of free positions, formatted as in `contacts`.
 
         A loop of two positions runs from one to the other and back; it has no contacts if they are
         equal. Cost: as for `contacts`.

@@ -26,7 +26,7 @@ class NoFitUnion(OverlapRegions):
         reference: the point of the orbiting shapes that marks a position, a Point.
         regions: the regions of overlap, possibly with holes, sorted. The positions of overlap in a
             region are connected.
-        exact_fits: free positions without room to either side, as for `NoFitPolygon`.
+        exact_fits: free positions without play on either side, as for `NoFitPolygon`.
     """
 
     asked = ("stationary", "orbiting", "reference")

@@ -32,7 +32,7 @@ class Segment(NamedTuple):
         return (along, ratio(offset + b * along, a)) if a else (-offset, along)
 
     def shares_piece(self, other: Segment) -> bool:
-        """Decide whether two collinear segments overlap in positive length."""
+        """Decide whether two collinear segments share a piece of positive length."""
         return self.low < other.high and other.low < self.high
 
 

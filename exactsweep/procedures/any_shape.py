@@ -21,7 +21,7 @@ from exactsweep.procedures.walk import FreeBoundary
 
 
 class ShapeSolution:
-    """The loops and exact fits of a pair of any shape, in the form of `MonotoneSolution`.
+    """The loops and exact fits of a pair of any shape, with the interface of `MonotoneSolution`.
 
     Attributes:
         frame: the lattice of the pair, not rotated.
@@ -45,12 +45,12 @@ class ShapeSolution:
 
     @cached_property
     def holes(self) -> list[list[Point]]:
-        """The loops of positions at which G fits into a cave or a hole of D, sorted."""
+        """The loops of positions at which G fits into a cavity or a hole of D, sorted."""
         return self._no_fit.within
 
     @cached_property
     def fits(self) -> list[Fit]:
-        """The exact fits, including those in caves and holes."""
+        """The exact fits, including those in cavities and holes."""
         return self._no_fit.fits
 
     @cached_property

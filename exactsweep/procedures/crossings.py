@@ -12,7 +12,7 @@ it, without any test of a position.
     contact segment through it: three lines or more, or two with segments in both directions.
 
 The *key* of a parameter n / d is (n << bits) // d, with enough bits that different parameters of
-one line have different keys. So keys have the order of the parameters.
+one line have different keys. So keys and parameters have the same order.
 """
 
 from __future__ import annotations

@@ -192,8 +192,8 @@ def lower_envelope_mm(graphs: Sequence[Graph]) -> Graph:
 #          0, and either may be chosen.
 #     (3)  s and e have opposite signs: the lines cross in between, and the other one takes over.
 #
-# A piece that is the lower one again continues. The envelope is P left of the common x-range, and
-# the graph that continues right of it.
+# If the lower piece is the same as before, it is extended. Left of the common x-range, the envelope
+# is P; right of it, the graph that continues.
 
 
 def merge(first: Graph, second: Graph) -> Graph:

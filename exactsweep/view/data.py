@@ -1,12 +1,12 @@
 """Data of the page: exactly scaled coordinates as floats, and exact coordinates as text.
 
 A stop is a vertex of a track, or a point of an edge at which a contact begins or ends, two vertices
-meet, or G closes an undercut. Contacts are constant between stops. For large pairs, meetings of two
-vertices are not stops. The page computes the contacts at a stop.
+meet, or G closes an undercut. Contacts are constant between stops. For large pairs, VV contacts
+inside edges are not stops. The page computes the contacts at a stop.
 
-Inside an edge of a loop, the only momentary contacts are meetings of two vertices: the positions at
+Inside an edge of a loop, the only momentary contacts are VV, vertex on vertex: the positions at
 which two given features touch form a segment that does not cross the loop, so only an end of it can
-touch the loop, and there two vertices meet.
+touch the loop, with a VV contact.
 """
 
 from bisect import bisect_left, bisect_right
@@ -36,7 +36,7 @@ _MAX_PAIRS, _MAX_TESTS = 250_000, 4_000_000
 
 
 class Meetings:
-    """The positions at which two vertices meet without overlap nearby.
+    """The positions of VV contact without overlap nearby.
 
     `others` are additional stationary shapes; `inside` is true for inner fits. Cost:
     O((m + n) log(m + n) + p log p) for p pairs of an edge and a vertex that can touch without
@@ -151,7 +151,7 @@ def _name_tracks(
 
 
 def track_stops(s: SweepAnswer, listed: Sequence[Track]) -> tuple[list[list[Stop]], bool]:
-    """Return the stops of each track, and whether vertex-vertex contacts are included."""
+    """Return the stops of each track, and whether all VV contacts are included."""
     meetings = find_meetings(s, sum(len(track.corners) for track in listed))
     loops = [track.corners for track in listed if len(track.corners) > 1]
     return _cut_tracks(listed, cut_loops(s, loops), _landmarks(s), meetings), meetings is not None
@@ -237,7 +237,7 @@ def gather_positions(
 ) -> dict[str, Any]:
     """Collect the JSON data for the page of a no-fit polygon or an inner fit.
 
-    Stops are the vertices of loops, ends of exact fits on loops, and meetings of two vertices.
+    Stops are the vertices of loops, ends of exact fits on loops, and VV contacts.
     """
     shapes = Positions.of(found)
     is_outside = shapes.exterior is not None
