@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 
 
 class Sweep(SweepAnswer):
-    """The sweep (G, D) of a generatrix around a directrix; made by `sweep`.
+    """The sweep (G, D) of a generatrix around a directrix; see `exactsweep.sweep`.
 
     Each loop is computed on first access.
 
@@ -85,7 +85,7 @@ class _Shown:
 
 
 class NoFitPolygon(_Shown, NoFitAnswer):
-    """The positions where an orbiting polygon overlaps a stationary one; made by `no_fit_polygon`.
+    """The positions where an orbiting polygon overlaps a stationary one; see `no_fit_polygon`.
 
     Each property is computed on first access.
 

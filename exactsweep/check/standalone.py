@@ -132,7 +132,7 @@ def edges(points: Sequence[Point]) -> list[Edge]:
 
 
 def level(points: Ring) -> Ring:
-    """Bring points to a common denominator; long numbers raise the price of steps, as measured."""
+    """Bring points to a common denominator; long numbers raise the cost of steps."""
     unit, work = lcm(*(w for *_, w in points)), WORK.get()
     found = [(x * (unit // w), y * (unit // w), unit) for x, y, w in points]
     bits = max(0, max(map(int.bit_length, chain(*found))) - 60)
@@ -672,7 +672,7 @@ def find_bodies(c: Any) -> tuple[dict[str, Body], dict[int, Body], Ring | None]:
     cut, frame = [Rings()] * len(shapes), None
     if proof:
         cut, frame = proof.pieces, corners("frame", *proof.frame) if proof.frame else Ring()
-        need(bool(frame) == (given.container.pieces is None), "frame: missing, or of no shape")
+        need(bool(frame) == (given.container.pieces is None), "frame: missing or superfluous")
     need(len(cut) == len(shapes), f"proof.pieces: not a list of {len(shapes)} entries")
     need(len(c.turns) == len(given.placements), "turns: not one for each placement")
     far = [given.spacing] * count + [given.margin]

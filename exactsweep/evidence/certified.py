@@ -14,9 +14,9 @@ def refuse_to_set(answer: object, name: str, value: object) -> None:
         >>> square = [(0, 0), (1, 0), (1, 1), (0, 1)]
         >>> sweep(square, square).reference = (1, 1)
         Traceback (most recent call last):
-        AttributeError: an answer is read-only: reference cannot be set; ask again instead
+        AttributeError: an answer is read-only: reference cannot be set; compute a new one
     """
-    raise AttributeError(f"an answer is read-only: {name} cannot be set; ask again instead")
+    raise AttributeError(f"an answer is read-only: {name} cannot be set; compute a new one")
 
 
 class Certified:

@@ -109,8 +109,8 @@ def _without_parts(contacts: set[Contact], g: Outline, d: Outline) -> set[Contac
 def find_contacts(generatrix: Outline, directrix: Outline, t: Vertex) -> list[Contact]:
     """Find all contacts of G + t with D, sorted.
 
-    VV are equal vertices; EV and VE have a vertex inside an edge; EE are edges that overlap in
-    positive length. Cost: O((m + n) log(m + n)) if few edges are near each vertex, O(m n) at worst.
+    VV are equal vertices; EV and VE have a vertex inside an edge; EE are edges that share a
+    segment. Cost: O((m + n) log(m + n)) if few edges are near each vertex, O(m n) at worst.
     """
     # On a lattice that contains the translation, all numbers are ints, which is ten times as fast.
     scale = lcm(t[0].denominator, t[1].denominator)

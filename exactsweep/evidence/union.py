@@ -16,7 +16,7 @@ from exactsweep.procedures.positions import FreeRegions, find_no_fit_union
 
 
 class NoFitUnion(OverlapRegions):
-    """The positions where any orbiting shape overlaps any stationary one; made by `no_fit_union`.
+    """The positions where any orbiting shape overlaps any stationary one; see `no_fit_union`.
 
     Each property is computed on first access.
 

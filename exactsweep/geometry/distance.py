@@ -49,7 +49,7 @@ def distance_squared(a: Region | Vertices, b: Region | Vertices) -> SquaredDista
         PolygonError: a polygon is not simple.
         NumberError: a coordinate is not an exact number. Messages begin with "a" or "b".
 
-    Cost: O((m + n) log(m + n)) if few pairs of edges are about as near; O(m n log(m n)) at worst.
+    Cost: O((m + n) log(m + n)) if few pairs of edges are nearly closest; O(m n log(m n)) at worst.
 
     Example:
         >>> square, triangle = [(0, 0), (1, 0), (1, 1), (0, 1)], [(3, 0), (3, 3), (0, 3)]

@@ -1,8 +1,8 @@
 """The pruning step for wide shapes, in which grid squares prove that contact segments are in O.
 
 (1) Let A be a block of two by two squares inside D, off its boundary, and let H have a point b in
-    a square B. Then A + b is in O = int D + int H, because b is a limit of inner points of H. For
-    any b in B, A + b contains the square in the middle of A + B.
+    a square B. Then A + b is in O = int D + int H, because b is a limit of interior points of H.
+    For any b in B, A + b contains the square in the middle of A + B.
 
 A set of squares is a list of bitmasks, one int per column and one bit per row.
 """

@@ -8,7 +8,7 @@ it, without any test of a position.
     where the piece lies, the piece is in O, by (2) of `segments`.
 (2) Each remaining piece bounds a free region on its right; or it is an exact fit, if it has overlap
     on both sides; or it is in O after all.
-(3) A single free position has overlap in all directions. So every direction lies left of some
+(3) A single free position is surrounded by overlap. So every direction lies left of some
     contact segment through it: three lines or more, or two with segments in both directions.
 
 The *key* of a parameter n / d is (n << bits) // d, with enough bits that different parameters of

@@ -28,7 +28,7 @@ from exactsweep.procedures.cm import Untouched, close, find_touched
 from exactsweep.procedures.graph import Graph, Ranges, lower_envelope_cm, lower_envelope_mm
 
 # A row is the list of subtrajectories of one G_i. It lacks those that `ceiling` drops, which are
-# above the envelope E of all pairs, and all irrelevant edges (see `ConvexPart`), whose inner points
+# above the envelope E of all pairs, and all irrelevant edges (see `ConvexPart`), whose interiors
 # are above E as well. Let s_j be T(G_i, D_j) with all edges, as in the paper, and let P be the
 # partial trajectory when the k-th one is added.
 #

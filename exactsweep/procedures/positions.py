@@ -1,8 +1,8 @@
 """No-fit polygons, inner fits, free positions and sums with paths, for any shapes.
 
-The paper does not treat this case (kind "SS"). All of these are the free positions of a part among
-obstacles. Contact segments (`segments`) are pruned (`neighbors`, `cover`), cut where they cross
-(`crossings`), and joined to loops and exact fits (`walk`) by an exact overlap test
+The paper does not treat this case (kind "SS"). Each problem asks for the free positions of a part
+among obstacles. Contact segments (`segments`) are pruned (`neighbors`, `cover`), cut where they
+cross (`crossings`), and joined to loops and exact fits (`walk`) by an exact overlap test
 (`geometry.overlap`).
 
 With several obstacles or moving shapes, O is the union of the open sets O_k = int D_i + int H_j of

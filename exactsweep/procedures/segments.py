@@ -9,8 +9,8 @@ the edge lies between the directions of the two edges at the vertex, or equals o
     edge separates their cones, and the vertex of the cone beyond that line is convex. If rings of
     one shape touch there, the cones of the other shape lie in one gap between its cones, because
     connected interiors cannot pass each other, and the vertex of that gap counts.
-(2) The positions just to the left of each inner point of a contact segment have overlap: there the
-    vertex has crossed the edge.
+(2) At positions just to the left of an interior point of a contact segment, D and G overlap: there
+    the vertex has crossed the edge.
 
 A path may replace H or D, as one ring that runs back and forth, or as two rings if it is closed.
 Its reversals at the ends count as convex vertices. Its interior is the path itself.

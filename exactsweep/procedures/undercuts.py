@@ -77,5 +77,5 @@ def _walk(start: Vertex, following: dict[Vertex, Vertex], ends: set[Vertex]) -> 
 
 
 def keep_corners(chain: Iterable[Vertex]) -> list[Vertex]:
-    """Drop repeated points, and points on the segment between their neighbours."""
+    """Drop repeated points, and points on the segment between their neighbors."""
     return [(x, y) for x, y, _ in take_corners((x, y, 1) for x, y in chain)]

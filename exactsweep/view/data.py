@@ -78,7 +78,7 @@ class Meetings:
 def find_meetings(
     s: Moving, corners: int, others: Sequence[AnyPolygon] = (), *, inside: bool = False
 ) -> Meetings | None:
-    """Return the meetings of vertices, or None if the search would take more than a second."""
+    """Return the VV contacts, or None if the search would take more than a second."""
     if len(s.generatrix) * sum(map(len, (s.directrix, *others))) > _MAX_PAIRS:
         return None
     found = Meetings(s, others, inside=inside)

@@ -155,12 +155,12 @@ CHANGES: dict[str, tuple[Any, str]] = {
     ),
     "a frame": (
         (("proof", "frame"), ["-9", "-9", "9", "9"]),
-        "frame: missing, or of no shape",
+        "frame: missing or superfluous",
     ),
     "outside pieces": ((("proof", "pieces", 1), [rect(0, 0, 1, 1)]), f"container: {ALONE}"),
     "a polygon without a frame": (
         (OUTSIDE, {"exterior": rect(-9, -9, 9, 9)}),
-        "frame: missing, or of no shape",
+        "frame: missing or superfluous",
     ),
 }
 

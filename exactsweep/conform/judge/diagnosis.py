@@ -1,6 +1,6 @@
 """Diagnosis of a wrong loop: the mistake that produces it.
 
-Let P = D + (-G), the positions of G's origin at which G overlaps D. Usual mistakes give another
+Let P = D + (-G), the positions of G's origin at which G overlaps D. Common mistakes give another
 exact set: P for another reference point; -P, if roles are exchanged; D + G, if G is not reflected;
 P at another scale or in other axes; the convex hull of P; or the answer to another question. The
 whole loop must equal that set, so a diagnosis is a proof.

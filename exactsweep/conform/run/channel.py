@@ -174,7 +174,7 @@ class Channel:
 
     def _end(self) -> str:
         code = self._started.wait(_EXIT_SECONDS)
-        # The pipe has its last output; a descendant may still be writing.
+        # The pipe still contains its last output; a descendant may still be writing.
         with suppress(OSError, KeyError):
             for _ in range(_LAST_CHUNKS):
                 self._stderr = (self._stderr + self._read(self._errors))[-MAX_STDERR:]
