@@ -149,7 +149,7 @@ REFERENCES = {"definition": by_definition, "sfcgal": by_sfcgal}
 
 
 def case_of(pair: SmallPair) -> Case:
-    """The kernel's answers for a pair."""
+    """Return the kernel's answers for a pair."""
     (g, *g_holes), (d, *d_holes) = pair
     return Case.of("pair", "", d, g, (0, 0), (), directrix_holes=d_holes, generatrix_holes=g_holes)
 

@@ -54,12 +54,12 @@ def square(size: Any) -> tuple[Any, list[Ring]]:
 
 
 def polygon(count: int, x: Any = 0) -> list[tuple[Any, Any]]:
-    """A convex polygon on a parabola."""
+    """Return a convex polygon on a parabola."""
     return [(x + k, k * k) for k in range(count)]
 
 
 def crowd(n: int, digits: int) -> Certificate:
-    """A tiny loop of large shapes, so that all boxes are in a single cell."""
+    """Return a tiny loop of large shapes, so that all boxes are in a single cell."""
     den = max(2 * n + 3, 10**digits)
     teeth = [(Fraction(1, den), Fraction(1, 3)), (Fraction(2 * n + 1, den), Fraction(1, 3))]
     for k in range(n, 0, -1):
@@ -72,7 +72,7 @@ def crowd(n: int, digits: int) -> Certificate:
 
 
 def strips(n: int, digits: int) -> Certificate:
-    """Two strips of triangles, and a loop with an edge whose box holds all of their sums."""
+    """Return two strips of triangles, and a loop with an edge whose box holds all of their sums."""
     den = 10**digits if digits > 1 else 0
     rows = [(k + (Fraction(1, den + 2 * k + 1) if den else 0), k % 2) for k in range(n + 2)]
     pieces = [rows[k : k + 3] if k % 2 else rows[k : k + 3][::-1] for k in range(n)]
@@ -85,7 +85,7 @@ def strips(n: int, digits: int) -> Certificate:
 
 
 def corners(n: int, digits: int) -> Certificate:
-    """Two pieces with many corners, and a long fan of edges around their sum."""
+    """Return two pieces with many corners, and a long fan of edges around their sum."""
     one = polygon(n // 2 + 3)
     d = {"exterior": write(one)}, [write(one)]
     size = n * n + 10**digits
@@ -99,7 +99,7 @@ def corners(n: int, digits: int) -> Certificate:
 
 
 def slices(n: int, digits: int) -> Certificate:
-    """Slices with many corners along a diagonal, whose boxes overlap."""
+    """Return slices with many corners along a diagonal, whose boxes overlap."""
     wide = max(2, digits)
     lines = [[(k + j, j * j * (2 if k else 1)) for j in range(wide)] for k in range(2)]
     ring = write(lines[1] + lines[0][::-1])
@@ -114,7 +114,7 @@ def slices(n: int, digits: int) -> Certificate:
 
 
 def islands(n: int, digits: int) -> Certificate:
-    """Pieces without common vertices, and a loop of many edges."""
+    """Return pieces without common vertices, and a loop of many edges."""
     squares = [[(3 * k, 0), (3 * k + 1, 0), (3 * k + 1, 1), (3 * k, 1)] for k in range(n)]
     shape = {"exterior": write([p for ring in squares for p in (*ring, ring[0])])}
     teeth = [(9 * n - k, 9 + (k % 2) * digits) for k in range(3 * n)]
@@ -131,7 +131,7 @@ def fits_in_a_cell(n: int, digits: int) -> Certificate:
 
 
 def chains(n: int, digits: int) -> Certificate:
-    """An entry whose chains refer repeatedly to sums or edges with many sides."""
+    """Return an entry whose chains refer repeatedly to sums or edges with many sides."""
     one = write(polygon(max(3, digits * 20)))
     d = {"exterior": one}, [one]
     far = 10**6
@@ -180,7 +180,7 @@ def denominators(n: int, digits: int) -> Certificate:
 
 
 def holes(n: int, digits: int) -> Certificate:
-    """A region with many holes, with the frame as container."""
+    """Return a region with many holes, with the frame as container."""
     ring, far = rectangle(0, 0, 9 * n, 9 * n), 9 * n - 1
     hole = [write([(3 * k + 1, 1), (3 * k + 2, 1), (3 * k + 1, 1 + digits)]) for k in range(n)]
     frame = ["0", "0", str(9 * n), str(9 * n)]
@@ -206,7 +206,7 @@ def layout(
 
 
 def placements(n: int, digits: int) -> Certificate:
-    """Placements of a part of many pieces, near each other."""
+    """Return placements of a part of many pieces, near each other."""
     count = digits * 10
     pieces = [rectangle(k, 0, k + 1, 1) for k in range(count)]
     part = {"id": "a", "exterior": rectangle(0, 0, count, 1)}
@@ -215,7 +215,7 @@ def placements(n: int, digits: int) -> Certificate:
 
 
 def faults(n: int, digits: int) -> Certificate:
-    """Witnesses in parts of many edges."""
+    """Return witnesses in parts of many edges."""
     part = {"id": "a", "exterior": write(polygon(max(3, digits * 30)))}
     placed = [{"part": "a", "move": ["9", str(k)]} for k in range(n)]
     found = [
@@ -239,7 +239,7 @@ def turned(n: int, digits: int) -> Certificate:
 
 
 def rotations(n: int, digits: int) -> Certificate:
-    """Irrational rotations."""
+    """Return a layout with irrational rotations."""
     part = {"id": "a", "exterior": write(polygon(digits + 3))}
     placed = [{"part": "a", "turn": "1", "move": ["9", str(k)]} for k in range(n)]
     return layout([part], placed, None, [{"kind": "missing", "part": "a"}])

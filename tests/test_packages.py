@@ -91,7 +91,7 @@ def broken(module: str, targets: Iterator[str]) -> Iterator[str]:
 
 @cache
 def sources() -> dict[str, str]:
-    """The sources of all modules of the package, by their names."""
+    """Return the sources of all modules of the package, by their names."""
     return {name: path.read_text(encoding="utf-8") for name, path in modules().items()}
 
 
@@ -166,7 +166,7 @@ def test_modules_are_short() -> None:
 
 
 def named_types(source: str) -> Iterator[str]:
-    """The classes and type aliases of a source, without leading underscores."""
+    """Yield the classes and type aliases of a source, without leading underscores."""
     for node in statements(source):
         if isinstance(node, ast.ClassDef):
             yield node.name.lstrip("_")

@@ -43,7 +43,7 @@ def turn(a: Point, b: Point, c: Point) -> Fraction:
 
 
 def common_points(e: Edge, f: Edge) -> list[Point]:
-    """Ends of one edge that lie on the other, or the crossing."""
+    """Return the ends of one edge that lie on the other, or the crossing."""
     found = [
         p
         for (a, b), ends in ((e, f), (f, e))
@@ -59,7 +59,7 @@ def common_points(e: Edge, f: Edge) -> list[Point]:
 
 
 def spans(polygon: Polygon, x: Fraction) -> list[tuple[Fraction, Fraction]]:
-    """The interior of a polygon on a vertical line that meets no vertex."""
+    """Return the intervals of a polygon on a vertical line that meets no vertex."""
     heights = sorted(
         a.y + (b.y - a.y) * (x - a.x) / (b.x - a.x)
         for a, b in edges(polygon)
@@ -98,7 +98,7 @@ def check_witness(d: object, g: object, t: tuple[object, object], found: Classif
 
 @st.composite
 def touching(draw: st.DrawFn) -> Case:
-    """Two polygons on one grid, usually with a vertex of one on a vertex of the other."""
+    """Draw two polygons on one grid, usually with a vertex of one on a vertex of the other."""
     d, g = Polygon(draw(own.simple_rings())), Polygon(draw(own.simple_rings()))
     p, q = draw(st.sampled_from(d.vertices)), draw(st.sampled_from(g.vertices))
     step = st.sampled_from([Fraction(s) for s in ("0", "0", "0", "1", "-1", "1/2", "1e-30")])

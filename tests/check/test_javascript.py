@@ -114,7 +114,7 @@ def test_both_agree_on_hostile_text(tmp_path: Path) -> None:
 
 
 def valid_layout(**changes: Any) -> Any:
-    """Two distant squares in a container equal to the frame."""
+    """Return two distant squares in a container equal to the frame."""
     unit = [["0", "0"], ["1", "0"], ["1", "1"], ["0", "1"]]
     parts = [{"id": "a", "exterior": unit}]
     placements: Any = [{"part": "a", "move": ["0", "0"]}, {"part": "a", "move": ["3", "0"]}]

@@ -25,7 +25,7 @@ def regroup(certificate: dict[str, Any], regions: list[Any]) -> dict[str, Any]:
 
 
 def pocket() -> tuple[dict[str, Any], dict[str, Any]]:
-    """A region with a hole, and in the hole a region that touches the midpoint of an edge.
+    """Return a region with a hole, and in the hole a region that touches the midpoint of an edge.
 
     The hole moves from one to the other.
     """

@@ -235,7 +235,7 @@ def test_reasons_name_a_point() -> None:
 
 
 def star() -> tuple[list[Any], list[Any], list[Any]]:
-    """A pentagram, its outline, and its pieces: five tips and the pentagon inside."""
+    """Return a pentagram, its outline, and its pieces: five tips and the pentagon inside."""
     tips = [(Fraction(x), Fraction(y)) for x, y in ((0, 10), (-9, 3), (-6, -8), (6, -8), (9, 3))]
     inner = [meet(tips[k - 1], tips[(k + 1) % 5], tips[k], tips[(k + 2) % 5]) for k in range(5)]
     # inner[k] is between tip k and tip k + 1
@@ -246,7 +246,7 @@ def star() -> tuple[list[Any], list[Any], list[Any]]:
 
 
 def meet(a: Any, b: Any, c: Any, d: Any) -> Any:
-    """The intersection of two lines."""
+    """Return the intersection of two lines."""
     u, v = (b[0] - a[0], b[1] - a[1]), (d[0] - c[0], d[1] - c[1])
     share = ((c[0] - a[0]) * v[1] - (c[1] - a[1]) * v[0]) / (u[0] * v[1] - u[1] * v[0])
     return a[0] + share * u[0], a[1] + share * u[1]
@@ -357,7 +357,7 @@ def test_fits_may_have_any_order_and_direction() -> None:
 
 
 def renumbered(certificate: Any, exterior: Any, edges: Callable[[int], list[int]]) -> Any:
-    """The certificate with other points for its exterior, and renumbered edges."""
+    """Return the certificate with other points for its exterior, and renumbered edges."""
 
     def change_chain(chain: list[int]) -> list[int]:
         return [m for n in chain for m in ([n] if n >= 0 else [-1 - k for k in edges(-1 - n)])]

@@ -29,7 +29,7 @@ def at(x: Any, y: Any, part: str = "a", **more: Any) -> dict[str, Any]:
 
 
 def overlapping() -> Certificate:
-    """Two overlapping squares, a disjoint third one, and a defect under the first."""
+    """Return two overlapping squares, a disjoint third one, and a defect under the first."""
     placed = [at(1, 1), at(2, 2), at(9, 9)]
     found = layout([SQUARE], placed, [[rect(0, 0, 2, 2)]], defects=[{"exterior": rect(0, 0, 2, 2)}])
     return with_faults(found, OVERLAP)

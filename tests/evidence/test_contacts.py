@@ -26,7 +26,7 @@ usually = examples(40)
 
 
 def numbered(polygon: Polygon) -> Polygon:
-    """The polygon with its features numbered in canonical order."""
+    """Return the polygon with its features numbered in canonical order."""
     return Polygon(iter(polygon.vertices))
 
 
@@ -58,13 +58,13 @@ def overlap(e: tuple[Vertex, Vertex], f: tuple[Vertex, Vertex]) -> bool:
 
 
 def touching(generatrix: Polygon, directrix: Polygon, t: Point) -> Found:
-    """All contacts of G + t with D, features numbered in canonical order."""
+    """List all contacts of G + t with D, with features numbered in canonical order."""
     moved = [(x + t.x, y + t.y) for x, y in generatrix.vertices]
     return meetings(moved, directrix.vertices)
 
 
 def meetings(g: Sequence[Vertex], d: Sequence[Vertex]) -> Found:
-    """All contacts of two rings."""
+    """List all contacts of two rings."""
     sides, others = (list(enumerate(zip(r, (*r[1:], r[0]), strict=True))) for r in (g, d))
     found: Found = set()
     found |= {("VV", i, j) for (i, w), (j, v) in product(enumerate(g), enumerate(d)) if w == v}
@@ -142,7 +142,7 @@ def test_features_are_numbered_as_in_the_input(pair: Pair, data: st.DataObject) 
     assert s.trajectory == plain.trajectory
 
     def canonical(kind: str, polygon: Polygon, given_: Any, index: int) -> int:
-        """The canonical number of the vertex or edge that has an index in the input."""
+        """Return the canonical number of the vertex or edge that has an index in the input."""
         a, b = Point(*given_[index]), Point(*given_[(index + 1) % len(given_)])
         if kind == "V":
             return polygon.vertices.index(a)

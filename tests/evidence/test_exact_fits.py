@@ -68,7 +68,7 @@ def test_linear_maps_commute(pair: Pair, matrix: own.Matrix) -> None:
 
 
 def comb(teeth: int) -> list[tuple[int, int]]:
-    """A top chain, from right to left, of teeth 6 wide with gaps of 2."""
+    """Return a top chain, from right to left, of teeth 6 wide with gaps of 2."""
     steps = [[(8 * k, 0), (8 * k + 2, 0), (8 * k + 2, 10), (8 * k + 8, 10)] for k in range(teeth)]
     return [vertex for step in steps for vertex in step][::-1]
 

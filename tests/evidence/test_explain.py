@@ -157,7 +157,7 @@ def test_g_turns_before_losing_contact_and_stops_before_overlap(s: Sweep) -> Non
 
 
 def ends_of(polygon: Polygon) -> dict[int, set[int]]:
-    """The input indices of the ends of each edge."""
+    """Return the input indices of the ends of each edge."""
     vertex, edge, size = polygon.vertex_index, polygon.edge_index, len(polygon)
     return {edge(k): {vertex(k), vertex((k + 1) % size)} for k in range(size)}
 

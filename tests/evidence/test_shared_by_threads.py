@@ -20,7 +20,7 @@ NAMES = ("unswept", "area", "outer", "inner", "trajectory", "undercuts", "contac
 
 
 def comb(teeth: int) -> list[tuple[int, int]]:
-    """A comb with unswept holes between its teeth."""
+    """Return a comb with unswept holes between its teeth."""
     tips = [
         vertex
         for k in reversed(range(teeth))

@@ -211,7 +211,7 @@ def support(polygon: Polygon, x: Fraction, y: Fraction) -> Fraction:
 
 
 def mixed(one: Polygon, other: Polygon) -> Fraction:
-    """Twice the mixed area of two convex polygons, edge by edge (Minkowski)."""
+    """Return twice the mixed area of two convex polygons, edge by edge (Minkowski)."""
     return sum(
         (support(other, q.y - p.y, p.x - q.x) for p, q in edges(one)),
         start=Fraction(0),

@@ -29,7 +29,7 @@ def on_segment(p: Point, a: Point, b: Point) -> bool:
 
 
 def respell(shape: Region, turns: bool, by: int) -> list[list[Point]]:
-    """The rings with another first vertex, possibly reversed."""
+    """Return the rings with another first vertex, possibly reversed."""
     rings = [[*ring[by % len(ring) :], *ring[: by % len(ring)]] for ring in shape.rings]
     return [ring[::-1] for ring in rings] if turns else rings
 

@@ -53,7 +53,7 @@ def test_a_vertex_inside_an_edge_of_another_ring_touches_where_the_edge_does() -
 
 
 def lasting(s: Sweep, p: Point, q: Point) -> set[Contact]:
-    """All contacts at sample points from p to q, one between each two possible changes."""
+    """List the contacts at sample points from p to q, one between each two possible changes."""
     count = 4 * int(max(abs(q.x - p.x), abs(q.y - p.y)))
     found: set[Contact] = set()
     for k in range(count):

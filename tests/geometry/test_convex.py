@@ -14,7 +14,7 @@ from exactsweep.geometry.convex import IntRing, cut_to_convex
 
 
 def make_plate(holes: int, seed: int = 0) -> list[IntRing]:
-    """A square plate with triangles and quadrilaterals as holes, at random on a lattice."""
+    """Return a square plate with triangles and quadrilaterals as holes, at random on a lattice."""
     random = Random(seed)
     columns = round(holes**0.5)
     wide = 10 * columns

@@ -43,7 +43,7 @@ PLUS += [(2, 3), (1, 3), (1, 2), (0, 2), (0, 1), (1, 1)]
 
 
 def ascents(polygon: Polygon, direction: Vector) -> list[int]:
-    """The sign of each edge along a direction."""
+    """Return the sign of each edge along a direction."""
     p, q = direction
     v = polygon.vertices
     steps = [p * (b.x - a.x) + q * (b.y - a.y) for a, b in zip(v, (*v[1:], v[0]), strict=True)]

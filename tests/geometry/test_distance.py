@@ -25,7 +25,7 @@ def edges(shape: Region) -> list[tuple[Point, Point]]:
 
 
 def from_edge(p: Point, a: Point, b: Point) -> Fraction:
-    """The squared distance of a point from a segment."""
+    """Return the squared distance of a point from a segment."""
     dx, dy = b.x - a.x, b.y - a.y
     along = ((p.x - a.x) * dx + (p.y - a.y) * dy) / (dx * dx + dy * dy)
     along = min(max(along, Fraction(0)), Fraction(1))
@@ -33,7 +33,7 @@ def from_edge(p: Point, a: Point, b: Point) -> Fraction:
 
 
 def by_all_pairs(one: Region, other: Region) -> Fraction:
-    """The definition, for shapes that do not meet."""
+    """Compute the squared distance of disjoint shapes by the definition."""
     return min(
         from_edge(p, *side)
         for shape, sides in ((one, edges(other)), (other, edges(one)))

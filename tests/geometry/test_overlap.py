@@ -183,7 +183,7 @@ def test_shared_parts_of_edges_match_the_definition() -> None:
 def loops_of(
     cells: Collection[Cell], matrix: Sequence[Rational], rng: Random
 ) -> list[list[Vertex]]:
-    """The rings of a polyomino, holes clockwise, each from a random first vertex."""
+    """Return the rings of a polyomino, holes clockwise, each from a random first vertex."""
     a, b, c, d = matrix
     loops = []
     for ring in Region(*shape_of(cells)).lattice()[1]:

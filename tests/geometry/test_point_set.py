@@ -34,7 +34,7 @@ def turns() -> st.SearchStrategy[Any]:
 
 
 def given_features(shape: AnyPolygon) -> dict[tuple[str, int], set[Point]]:
-    """The vertices and edges by their numbers in the input."""
+    """Return the vertices and edges by their numbers in the input."""
     found: dict[tuple[str, int], set[Point]] = {}
     first = 0
     for ring in shape.rings:
@@ -46,7 +46,7 @@ def given_features(shape: AnyPolygon) -> dict[tuple[str, int], set[Point]]:
 
 
 def affine(*places: list[Point]) -> Callable[[Point], Point]:
-    """The affine map defined by three points, not collinear, and their images."""
+    """Return the affine map defined by three points, not collinear, and their images."""
     (p,), (q,), (r,), (a,), (b,), (c,) = places
     ux, uy, vx, vy = q.x - p.x, q.y - p.y, r.x - p.x, r.y - p.y
     area = ux * vy - uy * vx

@@ -175,7 +175,7 @@ def test_few_pairs_of_edges_of_a_region_are_compared(
 
 
 def plate(count: int) -> Region:
-    """A plate with a row of holes, listed from right to left."""
+    """Return a plate with a row of holes, listed from right to left."""
     holes = [[(3 * k + 1, 1), (3 * k + 3, 1), (3 * k + 1, 2)] for k in reversed(range(count))]
     return Region([(0, 0), (3 * count + 1, 0), (3 * count + 1, 3), (0, 3)], holes)
 

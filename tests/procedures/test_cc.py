@@ -27,7 +27,7 @@ usually = examples(100)
 
 
 def steps(*chains: list[Vertex]) -> list[Vertex]:
-    """Edge vectors sorted by slope, with parallel vectors added."""
+    """Return the edge vectors sorted by slope, with parallel vectors added."""
     found: list[Vertex] = []
     vectors = [(q[0] - p[0], q[1] - p[1]) for chain in chains for p, q in pairwise(chain)]
     for x, y in sorted(vectors, key=lambda v: Fraction(v[1]) / v[0]):

@@ -24,7 +24,7 @@ Squares = tuple[int, int, list[int]]
 
 
 def list_corners(squares: Squares, side: int) -> Iterator[Point]:
-    """The corners of all squares of a set."""
+    """Yield the corners of all squares of a set."""
     left, low, columns = squares
     for k, bits in enumerate(columns, left):
         for row in range(bits.bit_length()):
@@ -104,7 +104,7 @@ def meets(edge: tuple[Vertex, Vertex], box: tuple[int, int, int, int]) -> bool:
 
 
 def ring_of(size: int, x: int, y: int) -> list[Vertex]:
-    """A convex polygon of steps that turn from (1, 0) upwards, closed by straight edges."""
+    """Return a convex polygon of steps that turn from (1, 0) upwards, closed by straight edges."""
     points = [(x, y)]
     for k in range(size):
         points.append((points[-1][0] + size - k, points[-1][1] + k))

@@ -19,7 +19,7 @@ DIRECTIONS = [(1, 0), (2, 1), (1, 1), (1, 2), (0, 1), (1, -2), (1, -1), (3, -1)]
 def through(
     x: Rational, y: Rational, direction: tuple[int, int], before: int, after: int
 ) -> ContactSegment:
-    """A segment from k steps before a point to j steps after it."""
+    """Return a segment from k steps before a point to j steps after it."""
     dx, dy = direction
     at, step = (x, dx) if dx else (y, dy)
     c, e = Fraction(dx * y - dy * x).as_integer_ratio()

@@ -33,7 +33,7 @@ def value(at: Break) -> Fraction:
 
 
 def height(chain: Chain, x: Fraction) -> Fraction | None:
-    """The height of a chain at the abscissa of no vertex."""
+    """Return the height of a chain at the abscissa of no vertex."""
     for (px, py), (qx, qy) in pairwise(chain):
         if px < x < qx:
             return py + Fraction(qy - py) * (x - px) / (qx - px)
@@ -119,7 +119,7 @@ def walled(draw: st.DrawFn) -> Chain:
 
 
 def list_borders(*chains: Chain) -> list[Fraction]:
-    """The abscissas of vertices and crossings."""
+    """Return the abscissas of vertices and crossings."""
     places = {Fraction(x) for chain in chains for x, _ in chain}
     edges = [edge for chain in chains for edge in pairwise(chain)]
     for ((px, py), (qx, qy)), ((rx, ry), (sx, sy)) in product(edges, edges):
@@ -130,7 +130,7 @@ def list_borders(*chains: Chain) -> list[Fraction]:
 
 
 def limits(chain: Chain, x: Fraction) -> list[Fraction]:
-    """The heights of a chain just before and just after an abscissa."""
+    """Return the heights of a chain just before and just after an abscissa."""
     edges = [((px, py), (qx, qy)) for (px, py), (qx, qy) in pairwise(chain) if px < qx]
     return [
         py + (qy - py) * (x - px) / (qx - px)

@@ -42,13 +42,13 @@ class Function:
 
 
 def combine(f: Function, g: Function, x: Fraction, choose: Choice) -> Fraction:
-    """The minimum or maximum of f(x - w) + g(w), at an x that is no sum of vertices."""
+    """Return the minimum or maximum of f(x - w) + g(w), at an x that is no sum of vertices."""
     arguments = {*g.xs, *(x - u for u in f.xs)}
     return choose([a + b for w in arguments for a in f.limits(x - w) for b in g.limits(w)])
 
 
 def draw_chain(rng: Random, edges: int) -> list[Vertex]:
-    """Random steps on a small grid, including walls, but not at the ends."""
+    """Draw steps on a small grid, including walls, but not at the ends."""
     steepest = rng.choice([1, 2, 6])
     chain: list[Vertex] = [(0, rng.randint(-steepest, steepest))]
     for k in range(edges):

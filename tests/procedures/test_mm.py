@@ -27,7 +27,7 @@ usually = examples(100)
 
 
 def envelope_of_all_pairs(top: list[Vertex], bottom: list[Vertex]) -> list[Vertex]:
-    """The envelope of all pairs of convex parts."""
+    """Compute the envelope of all pairs of convex parts."""
     chains = [
         trajectory_cc(inverse(part), other)
         for part in find_convex_parts(inverse(top))

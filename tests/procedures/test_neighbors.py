@@ -14,13 +14,13 @@ from exactsweep.procedures.segments import ContactSegment, find_contact_segments
 
 
 def zigzag(size: int) -> list[Vertex]:
-    """A thin strip up and down."""
+    """Return a thin zigzag strip."""
     up = [(2 * i, 400 if i % 2 else 0) for i in range(size // 2)]
     return [*up, *((x, y + 3) for x, y in reversed(up))]
 
 
 def saw(size: int) -> list[Vertex]:
-    """A saw with tall teeth, which fill half of its bounds."""
+    """Return a saw with tall teeth, which fill half of its bounds."""
     teeth = [(x, 100 if x % 2 else 3) for x in range(size)]
     return [(0, 0), (size - 1, 0), *reversed(teeth)]
 

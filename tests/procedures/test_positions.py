@@ -30,7 +30,7 @@ def fits(*ends: tuple[int, int]) -> Fits:
 
 
 def computed(directrix: Region, generatrix: Region) -> NoFitPolygon:
-    """The answer by contact segments, for any shapes."""
+    """Return the answer by contact segments, for any shapes."""
     return NoFitPolygon(directrix, generatrix, None, ORIGIN)
 
 

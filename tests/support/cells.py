@@ -16,7 +16,7 @@ class Holed(NamedTuple):
     holes: tuple[Polygon, ...] = ()
 
     def mapped(self, matrix: Matrix, scale: Fraction) -> "Holed":
-        """The image under a matrix, then scaled."""
+        """Return the image under a matrix, then scaled."""
         image = map_region(Region(self.exterior, self.holes), matrix, scale)
         return Holed(image.exterior, image.holes)
 

@@ -68,7 +68,7 @@ PIECES_OF_L = [rect(0, 0, 2, 1), rect(0, 1, 1, 2)]
 def layout(
     parts: list[Any], placements: list[Any], pieces: list[Any], size: int = 20, **more: Any
 ) -> Certificate:
-    """The certificate of a layout in a square from 0 to its size, without normals."""
+    """Return the certificate of a layout in a square from 0 to its size, without normals."""
     far = size + 1
     outside = [rect(-1, -1, far, 0), rect(-1, size, far, far)]
     outside += [rect(-1, 0, 0, size), rect(size, 0, far, size)]

@@ -200,7 +200,7 @@ def _prng(rng: random.Random) -> Prng:
 
 
 def _top_of(ring: IntRing) -> IntRing:
-    """The top chain of a counter-clockwise ring, from left to right, starting at x = 0."""
+    """Return the top chain of a counter-clockwise ring, from left to right, starting at x = 0."""
     n = len(ring)
     right = max(range(n), key=lambda k: ring[k])
     left = min(range(n), key=lambda k: (ring[k][0], -ring[k][1]))

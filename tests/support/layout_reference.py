@@ -66,7 +66,7 @@ def boxes_apart(one: tuple[Point, Point], other: tuple[Point, Point]) -> Fractio
 
 
 def list_edges(region: Region, scale: int) -> list[IntEdge]:
-    """The edges of all rings, times the scale."""
+    """Return the edges of all rings, times the scale."""
     return [
         (int(a.x * scale), int(a.y * scale), int(b.x * scale), int(b.y * scale))
         for ring in region.rings
@@ -75,7 +75,7 @@ def list_edges(region: Region, scale: int) -> list[IntEdge]:
 
 
 def segments_apart(one: IntEdge, other: IntEdge) -> tuple[int, int]:
-    """The squared distance of two segments, as a quotient."""
+    """Return the squared distance of two segments, as a quotient."""
     ax, ay, bx, by = one
     px, py, qx, qy = other
     of_p, of_q = turn(ax, ay, bx, by, px, py), turn(ax, ay, bx, by, qx, qy)
@@ -100,7 +100,7 @@ def turn(ax: int, ay: int, bx: int, by: int, cx: int, cy: int) -> int:
 
 
 def point_apart(x: int, y: int, edge: IntEdge) -> tuple[int, int]:
-    """The squared distance of a point from a segment, as a quotient."""
+    """Return the squared distance of a point from a segment, as a quotient."""
     ax, ay, bx, by = edge
     length = (bx - ax) ** 2 + (by - ay) ** 2
     share = min(max((x - ax) * (bx - ax) + (y - ay) * (by - ay), 0), length)

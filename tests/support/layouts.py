@@ -11,14 +11,14 @@ Ring = Sequence[Sequence[Any]]
 
 
 def box(left: Any, low: Any, right: Any, high: Any) -> Ring:
-    """The corners of a rectangle."""
+    """Return the corners of a rectangle."""
     return [(left, low), (right, low), (right, high), (left, high)]
 
 
 def put(
     part: str, move: Sequence[Any] = (0, 0), turn: Any = 0, *, mirrored: bool = False
 ) -> dict[str, Any]:
-    """A placement."""
+    """Return a placement."""
     return {"part": part, "turn": turn, "mirrored": mirrored, "move": move}
 
 
@@ -29,7 +29,7 @@ def lay(
     defects: Sequence[Ring] = (),
     **gaps: Any,
 ) -> Layout:
-    """A layout; a part is a ring, or a dict of the fields of a part."""
+    """Return a layout; a part is a ring, or a dict of the fields of a part."""
     described = [
         {"id": name, **(part if isinstance(part, dict) else {"exterior": part})}
         for name, part in parts.items()
@@ -45,7 +45,7 @@ def lay(
 
 
 def image(layout: Layout, factor: Fraction, x: Rational, y: Rational) -> Layout:
-    """A layout, scaled and then moved as a whole."""
+    """Return a layout, scaled and then moved as a whole."""
     data = layout.to_json()
 
     def scale(points: list[list[str]], x: Any = 0, y: Any = 0) -> list[list[Fraction]]:

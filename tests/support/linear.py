@@ -30,7 +30,7 @@ def count_calls(action: Callable[[], object]) -> int:
 
 
 def _seconds(action: Callable[[int], object], size: int) -> float:
-    """The processor time of one run."""
+    """Return the processor time of one run."""
     start = time.process_time()
     action(size)
     return time.process_time() - start

@@ -16,7 +16,7 @@ from exactsweep.procedures.walk import FreeBoundary
 
 
 def rings(cells: Cells, matrix: tuple[int, int, int, int]) -> list[list[Vertex]]:
-    """The rings of cells under a matrix, on the lattice."""
+    """Return the rings of cells under a matrix, on the lattice."""
     return [list(ring) for ring in region(cells, matrix).lattice()[1]]
 
 

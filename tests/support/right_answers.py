@@ -53,7 +53,7 @@ def between(a: Point, b: Point, share: Fraction) -> Point:
 
 
 def with_points(*shares: Fraction) -> Callable[[Ring], Ring]:
-    """Points on every edge."""
+    """Return points on every edge."""
 
     def change(ring: Ring) -> Ring:
         return [

@@ -109,7 +109,7 @@ def _write(core: list[Point], r: Fraction) -> str:
 
 
 def measure(one: list[Point], other: list[Point]) -> Fraction:
-    """The squared distance of two points, segments or axis-aligned rectangles."""
+    """Return the squared distance of two points, segments or axis-aligned rectangles."""
     if any(_is_inside(p, q) for p, q in ((one[0], other), (other[0], one))):
         return Fraction(0)
     pairs = product(_sides(one), _sides(other))

@@ -90,7 +90,7 @@ def _is_hole(d: Rings, g: Rings, ring: Ring) -> bool:
 
 
 def _point_inside(ring: Ring) -> Point:
-    """A point inside a ring, near its least vertex."""
+    """Return a point inside a ring, near its least vertex."""
     k = min(range(len(ring)), key=lambda k: ring[k])
     (ax, ay), (x, y), (bx, by) = ring[k - 1], ring[k], ring[(k + 1) % len(ring)]
     share = Fraction(1, 3)

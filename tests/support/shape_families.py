@@ -61,7 +61,7 @@ SHAPES["radial"] = draw_radial_pair
 
 
 def random_shapes(rng: Random, families: tuple[str, ...] = tuple(SHAPES)) -> ShapePair:
-    """A pair of shapes, placed."""
+    """Draw a pair of shapes, placed."""
     family, scale = rng.choice(families), rng.choice(SCALES)
     pair = any_shape.place(Prng(str(rng.getrandbits(64))), SHAPES[family], [scale])
     g, d = (Holed(region.exterior, region.holes) for region in pair)

@@ -33,7 +33,7 @@ class SmallPair(NamedTuple):
     directrix: Shape
 
     def size(self) -> tuple[int, int]:
-        """The number of vertices, and the sum of the coordinates."""
+        """Return the number of vertices, and the sum of the coordinates."""
         rings = [*self.generatrix, *self.directrix]
         return sum(map(len, rings)), sum(abs(c) for ring in rings for p in ring for c in p)
 
@@ -55,7 +55,7 @@ def teeth(rng: Random) -> Shape:
 
 
 def tangle(rng: Random) -> Shape:
-    """Any simple polygon on a small grid."""
+    """Draw a simple polygon on a small grid."""
     return _rings(Region(untangled(rng, 12, rng.choice([4, 5, 7]))))
 
 
@@ -65,7 +65,7 @@ def clump(rng: Random) -> Shape:
 
 
 def bent(rng: Random) -> Shape:
-    """A shape that is monotone in no direction."""
+    """Draw a shape that is monotone in no direction."""
     return _bent(rng.randrange(TABLE))
 
 
@@ -113,7 +113,7 @@ def draw(rng: Random) -> SmallPair:
 
 
 def draw_shapeless(rng: Random) -> SmallPair:
-    """A pair of class SS."""
+    """Draw a pair of class SS."""
     pair = _draw_pair(rng, SHAPELESS)
     while shares_direction(pair):
         pair = _draw_pair(rng, SHAPELESS)
@@ -121,7 +121,7 @@ def draw_shapeless(rng: Random) -> SmallPair:
 
 
 def draw_touching(rng: Random) -> SmallPair:
-    """A pair whose D has rings that touch, in a vertex of both or one in an edge of the other."""
+    """Draw a pair whose D has touching rings: at a common vertex, or a vertex on an edge."""
     while not _has_touching_rings(directrix := rng.choice([_pinched, _dented])(rng)):
         pass
     generatrix = rng.choice([convex, convex, monotone, clump, _pinched])(rng)
@@ -141,7 +141,7 @@ def draw_around(rng: Random) -> SmallPair:
 
 
 def _pinched(rng: Random) -> Shape:
-    """Squares around holes that meet in corners."""
+    """Draw squares around holes that meet at corners."""
     width, height = rng.randint(4, 6), rng.randint(3, 5)
     cells = {(x, y) for x in range(width) for y in range(height)}
     left_out = {cell for cell in sorted(cells) if rng.random() < 0.3}

@@ -76,7 +76,7 @@ def map_points(part: str, mapping: Callable[[Case], Callable[[Any, Any], Any]]) 
 
 
 def refer_to(part: str, point: Callable[[Case], Sequence[Any]]) -> Change:
-    """The path of another point of G."""
+    """Return the path of another point of G."""
 
     def mapping(case: Case) -> Callable[[Any, Any], Any]:
         dx, dy = (a - b for a, b in zip(point(case), case.reference, strict=True))
@@ -100,7 +100,7 @@ def scale(part: str, factor: Fraction) -> Change:
 
 
 def add_generatrix(part: str) -> Change:
-    """The sum of D and G: G is not reflected."""
+    """Return the sum of D and G: G is not reflected."""
 
     def rings(case: Case) -> list[Ring]:
         found = no_fit_polygon(case.directrix, case.generatrix.reflected())

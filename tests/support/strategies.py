@@ -39,7 +39,7 @@ def translations() -> st.SearchStrategy[tuple[Fraction, Fraction]]:
 
 
 def points(*pairs: tuple[object, object]) -> tuple[Point, ...]:
-    """Points written as pairs of ints or strings."""
+    """Return points written as pairs of ints or strings."""
     return tuple(Point(to_fraction(x), to_fraction(y)) for x, y in pairs)
 
 

@@ -19,7 +19,7 @@ TOLERANCE = Fraction(1, 10**9)
 
 
 def right(layout: Layout) -> Answer:
-    """The answer of the judge, in the order of kinds and placements."""
+    """Return the answer of the judge, in the order of kinds and placements."""
     return [(fault.kind, fault.placements) for fault in judge_layout(layout).faults]
 
 
@@ -50,7 +50,7 @@ def turned_back(turn: Turn) -> Turn:
 
 @wrong
 def asks_for_more_than_the_spacing(layout: Layout) -> Answer:
-    """Rejects a distance equal to the spacing."""
+    """Reject a distance equal to the spacing."""
     return right(replace(layout, spacing=layout.spacing + layout.spacing * Fraction(1, 10**40)))
 
 
@@ -61,7 +61,7 @@ def asks_for_more_than_the_margin(layout: Layout) -> Answer:
 
 @wrong
 def allows_a_tolerance(layout: Layout) -> Answer:
-    """Compares distances with a tolerance, as for doubles."""
+    """Compare distances with a tolerance, as for doubles."""
     return right(replace(layout, spacing=max(Fraction(0), layout.spacing - TOLERANCE)))
 
 
@@ -91,7 +91,7 @@ def takes_boxes_for_parts(layout: Layout) -> Answer:
 
 @wrong
 def looks_for_vertices_inside_only(layout: Layout) -> Answer:
-    """Accepts two parts if no vertex of one is inside the other."""
+    """Accept two parts if no vertex of one is inside the other."""
     found = []
     for (k, one), (j, other) in combinations(enumerate(place_all(layout)), 2):
         if has_vertex_inside(one, other) or has_vertex_inside(other, one):
@@ -101,7 +101,7 @@ def looks_for_vertices_inside_only(layout: Layout) -> Answer:
 
 @wrong
 def looks_for_vertices_outside_only(layout: Layout) -> Answer:
-    """Accepts a part if all its vertices are inside the container."""
+    """Accept a part if all its vertices are inside the container."""
     shapes = place_all(layout)
     walls = list_walls(layout, shapes)
     found: Answer = [
@@ -116,7 +116,7 @@ def looks_for_vertices_outside_only(layout: Layout) -> Answer:
 
 @wrong
 def looks_for_crossing_edges_only(layout: Layout) -> Answer:
-    """Accepts a part in the middle of another one."""
+    """Accept a part in the middle of another one."""
     shapes = place_all(layout)
 
     def crosses(k: int, j: int) -> bool:
@@ -139,7 +139,7 @@ def fills_the_holes_of_parts(layout: Layout) -> Answer:
 
 @wrong
 def takes_no_holes_of_rings_into_account_for_distances(layout: Layout) -> Answer:
-    """Ignores the distance of a part in a hole from the ring around it."""
+    """Ignore the distance of a part in a hole from the ring around it."""
     shapes = place_all(layout)
     answer = right(layout)
     return [
@@ -169,7 +169,7 @@ def does_not_mirror(layout: Layout) -> Answer:
 
 @wrong
 def mirrors_up_and_down(layout: Layout) -> Answer:
-    """Mirrors y to -y, that is, x to -x and a half turn."""
+    """Mirror y to -y, that is, x to -x and a half turn."""
 
     def flipped(p: Placement) -> Placement:
         if not p.mirrored or p.turn.exact is None:
@@ -224,7 +224,7 @@ def takes_demand_for_a_limit(layout: Layout) -> Answer:
 
 @wrong
 def allows_quarters_wherever_a_turn_is_allowed(layout: Layout) -> Answer:
-    """Treats the list of rotations as steps, all multiples of which are allowed."""
+    """Treat the list of rotations as steps, all multiples of which are allowed."""
     quarters = tuple(map(read_turn, (0, 90, 180, 270)))
     return right(
         with_parts(

@@ -24,7 +24,7 @@ SLOW = 30.0
 
 
 def on(name: str, change: Callable[[Loop], Any]) -> Callable[[Result, Case], Result]:
-    """A fault of one loop."""
+    """Return a fault of one loop."""
     return lambda result, case: {**result, name: change(list(result[name]))}
 
 
@@ -33,7 +33,7 @@ def on_trajectory(change: Callable[[Loop], Any]) -> Callable[[Result, Case], Res
 
 
 def notch(loop: Loop) -> int:
-    """The place of the first reflex vertex, the end of a slide into a notch."""
+    """Return the place of the first reflex vertex, the end of a slide into a notch."""
     for k, (x, y) in enumerate(loop):
         (px, py), (qx, qy) = loop[k - 1], loop[(k + 1) % len(loop)]
         if (x - px) * (qy - y) < (y - py) * (qx - x):
@@ -64,7 +64,7 @@ def everywhere(change: Callable[[Loop], Loop]) -> Callable[[Result, Case], Resul
 
 
 def sign_of_generatrix(result: Result, case: Case) -> Result:
-    """The sum of D and G, about the reference point."""
+    """Return the sum of D and G, about the reference point."""
     x, y = map(Fraction, case["reference"])
     turned = [[str(-Fraction(a)), str(-Fraction(b))] for a, b in case["generatrix"]]
     loop = answer({**case, "generatrix": turned, "reference": ["0", "0"]})["trajectory"]
