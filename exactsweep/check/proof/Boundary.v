@@ -1,6 +1,7 @@
-(* The lemma: the loops wind once around the points of O and no others. U is a union of open convex polygons, given by
-   their sides. L is a set of segments: the edges of the loops, and the fits. On a horizontal line in general position, a
-   ray to the right from a point outside U and L meets nothing, or first a descending edge of a loop with U behind it. *)
+(* The main lemma: the loops wind exactly once around the points of O and not around any others. U is a union of open
+   convex polygons, given by their sides. L is a set of segments: the edges of the loops, and the fits. On a horizontal
+   line in general position, a ray to the right from a point outside U and L either meets nothing or first meets a
+   descending edge of a loop with U behind it. *)
 Require Import QArith Lqa ZArith Lia List Bool.
 From Exactsweep Require Statements.
 From Exactsweep Require Import HalfOpen Nearby.
@@ -8,8 +9,8 @@ Import ListNotations.
 Open Scope Q_scope.
 
 Definition meets_at (p q : Statements.point) : Prop := fst p == fst q /\ snd p == snd q.
-(* A convex region, by some of its sides: all ends are left of all sides, or on them; sides on one line have one
-   direction. One side alone is a half-plane. *)
+(* A convex region, given by some of its sides: all ends are on or left of all sides, and collinear sides have the same
+   direction. A single side bounds a half-plane. *)
 Definition convex (S : list side) : Prop := forall f g, In f S -> In g S ->
   0 <= o g (fst f) /\ 0 <= o g (snd f) /\ (0 < o g (fst f) \/ 0 < o g (snd f) \/ rise g == rise f).
 (* A polygon: each side has a predecessor and a successor, with left turns. *)
@@ -43,7 +44,7 @@ Qed.
 Lemma pos_cancel a b : 0 < b -> 0 <= a * b -> 0 <= a.
 Proof. intros B H. destruct (Qlt_le_dec a 0) as [L|L]; [exfalso|exact L]. nra. Qed.
 
-(* A point of the closed polygon that is on the line of a side is on the side. *)
+(* If a point of the closed polygon is on the line of a side, it is on the side. *)
 Lemma closed_on_side S f x : linked S -> In f S -> o f x == 0 -> (forall g, In g S -> 0 <= o g x) ->
   Statements.on_segment f x.
 Proof.
@@ -63,12 +64,12 @@ Qed.
 Definition at_x (t : Statements.point) (x : Q) : Statements.point := (x, snd t).
 Lemma o_line f t x : o f (at_x t x) == o f t - rise f * (x - fst t).
 Proof. rewrite (o_move f t). unfold at_x. cbn [fst snd]. ring. Qed.
-(* Where the line of a side that is not level meets the horizontal line *)
+(* The intersection of a horizontal line and the line of a non-horizontal side *)
 Definition root (f : side) (t : Statements.point) : Q := fst t + o f t / rise f.
 Lemma o_root f t x : ~ rise f == 0 -> o f (at_x t x) == rise f * (root f t - x).
 Proof. intro N. rewrite o_line. unfold root. field. exact N. Qed.
 
-(* Inner points of a side: the interior is adjacent. *)
+(* The region is adjacent to interior points of its sides. *)
 Lemma beside S f y : convex S -> In f S -> Statements.on_segment f y ->
   ~ snd (fst f) == snd y -> ~ snd (snd f) == snd y ->
   forall g, In g S -> 0 < o g y \/ o g y == 0 /\ rise g == rise f.
@@ -105,7 +106,7 @@ Proof.
         assert (0 < k * rise g * d) by (apply Qmult_lt_0_compat; assumption). lra. }
     destruct X as (c & C & X). destruct (below c e C E) as (d & D & D1 & D2). exists d. split; [exact D|]. split; [lra|].
     intros h [<-|I]; [apply X; assumption|].
-    (* convexity along the line between y and the point at e *)
+    (* by convexity along the line between y and the point at e *)
     pose proof (J h I) as Jh. rewrite o_line in *.
     assert (Hy : 0 <= o h y) by (destruct (H h (or_intror I)) as [|(Z0 & _)]; lra).
     assert (Q1 : o h y - rise h * (fst y - k * d - fst y) == o h y + k * rise h * d) by ring.
@@ -147,7 +148,7 @@ Proof.
   - specialize (IH I). destruct (less_cases a y) as [(H & ->)|(H & ->)]; destruct (less_cases a x) as [(H' & ->)|(H' & ->)]; cbn [length]; try lia. lra.
 Qed.
 
-(* Two edges do not overlap: not parallel, or on two lines, or at heights with at most one in common. *)
+(* Two edges do not overlap: they are not parallel, not collinear, or share at most one height. *)
 Definition low (e : side) : Q := if Qlt_le_dec (snd (fst e)) (snd (snd e)) then snd (fst e) else snd (snd e).
 Definition high (e : side) : Q := if Qlt_le_dec (snd (fst e)) (snd (snd e)) then snd (snd e) else snd (fst e).
 Definition distinct (e g : side) : Prop :=
@@ -164,7 +165,7 @@ Hypothesis Convex : forall S, In S sums -> convex S.
 Hypothesis Sum : forall S t, In S sums -> inS S t -> O t.
 Hypothesis Free : forall t, L t -> ~ O t.
 Hypothesis Once : forall t, O t -> wind_sides loops t = level.
-(* Beyond all loops is U, or the level is 1, one above that of the complement. *)
+(* Beyond all loops lies U, or the level is 1, one above that of the complement. *)
 Hypothesis Far : level = 1%Z \/ forall t, exists x, fst t <= x /\ U (at_x t x).
 Hypothesis Cover : forall S f x, In S sums -> In f S -> o f x == 0 -> (forall g, In g S -> 0 <= o g x) -> U x \/ L x.
 Hypothesis Left : forall e x, In e loops -> Statements.on_segment e x ->
@@ -352,7 +353,7 @@ Proof.
   assert (NU : forall z, fst t <= z -> z < x -> ~ U (at_x t z)).
   { intros z Z1 Z2. apply (no_entry (S (count_below (map (fun f => root f t) (concat sums)) z))); [lia|exact Z1|].
     intros w W1 W2. apply NL; lra. }
-  (* no polygon lies along the line before x *)
+  (* no polygon ends at y: it would meet the line before x *)
   assert (NoLeft : forall S f, In S sums -> In f S -> Statements.on_segment f y -> 0 < rise f -> False).
   { intros S f IS IF On Rf. destruct (generic_sum S f IS IF) as (G1 & G2).
     destruct (enter S y 1) with (r := x - fst t) as (c & C & C' & J).
@@ -426,7 +427,7 @@ Proof.
   cbn [map fold_right]. rewrite (H e (or_introl eq_refl)), IH; [reflexivity|]. intros. apply H. right. assumption.
 Qed.
 
-(* Edges that are distinct meet the line through a point just above z in distinct points. *)
+(* Distinct edges meet the horizontal line just above z in distinct points. *)
 Lemma distinct_ev z e g : distinct e g ->
   ev z (fun y => straddles e (snd y) -> straddles g (snd y) -> ~ root e y == root g y).
 Proof.
@@ -518,7 +519,7 @@ Proof.
   rewrite Exists_exists in E; [left|right]; exact E.
 Qed.
 
-(* Off L, the winding number is at this level on O and one below elsewhere. *)
+(* Off L, the winding number equals this level on O and is one lower elsewhere. *)
 Theorem core t : ~ L t -> (O t /\ wind_sides loops t = level) \/ (~ O t /\ wind_sides loops t = (level - 1)%Z).
 Proof.
   intros NL. destruct (U_dec t) as [(S & I & J)|N].
@@ -526,7 +527,7 @@ Proof.
   - right. pose proof (outside_all t N NL) as W. split; [|exact W]. intro Ot. pose proof (Once t Ot). lia.
 Qed.
 
-(* L is the boundary of O, if each polygon has an inner point and each point of L is on a side. *)
+(* L is the boundary of O if each polygon has an interior point and each point of L is on a side. *)
 Hypothesis Inner : forall S, In S sums -> exists c, inS S c.
 Hypothesis Touch : forall e x, In e (loops ++ fits) -> Statements.on_segment e x ->
   exists S f, In S sums /\ In f S /\ Statements.on_segment f x.

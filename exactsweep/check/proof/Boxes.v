@@ -1,10 +1,10 @@
-(* Trees of boxes: what holds for a box holds for all edges in it, so most questions about edges need not be asked. *)
+(* Trees of boxes: a bound that holds for a box holds for all edges in it, so most edges need no test. *)
 Require Import ZArith Lia List Bool.
 From Exactsweep Require Import Cancel Pieces Gaps.
 Import ListNotations.
 Open Scope Z_scope.
 
-(* The least values in a box in the directions of `axes`: right, up, left, down *)
+(* The minima over a box in the directions of `axes`: right, up, left, down *)
 Definition extremes := (Z * Z * Z * Z)%type.
 Definition within (b : extremes) (e : edge) : Prop :=
   let '(x, y, u, v) := b in forall p, p = fst e \/ p = snd e -> x <= fst p /\ y <= snd p /\ u <= - fst p /\ v <= - snd p.
@@ -18,7 +18,7 @@ Definition frame_of (t : tree) : extremes := match t with Leaf e => frame_edge e
 Definition join (t u : tree) : tree := Node (unite (frame_of t) (frame_of u)) t u.
 Fixpoint join_all (ts : list tree) : list tree := match ts with t :: u :: r => join t u :: join_all r | _ => ts end.
 Fixpoint join_levels (n : nat) (ts : list tree) : list tree := match n with O => ts | S m => join_levels m (join_all ts) end.
-(* Consecutive edges, which are near each other on loops, share a tree. *)
+(* Consecutive edges of loops are close to each other, so they share a tree. *)
 Definition trees_of (es : list edge) : list tree := join_levels (S (Nat.log2 (length es))) (map Leaf es).
 
 Section Query.

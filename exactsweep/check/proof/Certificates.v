@@ -1,4 +1,4 @@
-(* The checkers on certificates: evidence is in rational numbers, and is multiplied by a common denominator here. *)
+(* The checkers on certificates: here, rational evidence is multiplied by a common denominator. *)
 Require Import QArith ZArith List Bool.
 From Exactsweep Require Import Cancel Scaling Sums Layout Faults NoFit InnerFit Sweep Claims.
 From Exactsweep Require Statements.
@@ -6,7 +6,7 @@ Import ListNotations.
 
 Notation ring := Statements.ring.
 Notation segment := (Statements.point * Statements.point)%type.
-Notation listed := (list (Z * list (list Z))).      (* sums: the number of each, and chains of its sides *)
+Notation listed := (list (Z * list (list Z))).      (* sums: the number of each sum, and the chains of its sides *)
 
 (* The least common multiple of denominators *)
 Definition join (D : Z) (q : Q) : Z := let d := QDen (Qred q) in if (D mod d =? 0)%Z then D else Z.lcm D d.
@@ -44,7 +44,7 @@ Proof. unfold accept_inner_fit. destruct frame as (((a, b), c), d). apply inner_
 Definition sweep_evidence (T : ring) (G loops : list ring) (slits : list segment) (moving : list ring) (sums : listed) : sweep_certificate :=
   let N := unit_of (T :: G ++ loops ++ ends slits ++ moving) in
   {| Sweep.unit := N; Sweep.moving := int_rings (Zpos N) moving; Sweep.listed_sums := sums |}.
-(* The point of D in the inner loop is in the first piece of D. *)
+(* The point of D that the inner loop winds around is in the first piece of D. *)
 Definition accept_sweep D G exterior holes fits outer inner unswept slits area still moving sums t swept t' : bool :=
   let c := no_fit_evidence D G (exterior :: holes) fits still moving sums in
   let c' := sweep_evidence exterior G (outer :: inner :: unswept) slits moving swept in
@@ -62,8 +62,8 @@ Theorem sum_accepted G path exterior holes slits moving sums t :
   accept_sum G path exterior holes slits moving sums t = true -> Statements.path_sum G path exterior holes slits.
 Proof. apply path_sum_sound. Qed.
 
-(* Layouts: pieces of parts, of the outside of the sheet, within the frame, and of obstacles.  Those of a placement are moved
-   like it. *)
+(* Layouts: pieces of parts, of the complement of the sheet in the frame, and of obstacles.  The pieces of a part move
+   with each placement. *)
 Definition numbers_of (f : Statements.figure) : list Q :=
   Statements.error f :: map snd (Statements.rounded f) ++ coordinates (Statements.outline f ++ map fst (Statements.rounded f)).
 Definition layout_evidence (l : Statements.layout) (pieces : list (list ring)) (frame : Q * Q * Q * Q) : certificate :=
@@ -78,7 +78,7 @@ Definition layout_evidence (l : Statements.layout) (pieces : list (list ring)) (
   {| Layout.denominator := N; Layout.part_pieces := cut moved; Layout.kind_pieces := cut kinds; Layout.obstacle_pieces := cut (tl others);
      Layout.outside_pieces := int_rings (Zpos N) (hd [] others); Layout.frame := quadruple N frame |}.
 
-(* The normals of a layout: an entry for two pieces, else one for two solids as a whole *)
+(* The normals of a layout: an entry for two pieces, otherwise one for two whole solids *)
 Definition entry := (Z * Z * Z * Z * Statements.point)%type.
 Definition is_for (a i b j : Z) (e : entry) : bool :=
   let '(a', i', b', j', _) := e in ((a =? a') && (i =? i') && (b =? b') && (j =? j'))%Z.

@@ -14,7 +14,7 @@ Lemma winding_with_holes z exterior holes :
   Statements.winding (Statements.with_holes exterior holes) z = (Statements.winding [exterior] z - Statements.winding holes z)%Z.
 Proof. unfold Statements.with_holes. rewrite winding_cons, winding_rev. lia. Qed.
 
-(* Loops by name, with convex pieces that make up the exterior without the holes, and each hole *)
+(* Named loops, with convex pieces of the exterior minus the holes, and of each hole *)
 Definition cut := (list ring * list (list ring))%type.
 Definition is_simple (N : positive) (rs : list Statements.ring) (ps : list ring) : bool :=
   all_integral (Zpos N) rs && simple_solid {| rings := int_rings (Zpos N) rs; pieces := ps |}.
@@ -76,7 +76,7 @@ Proof.
   destruct (Layout.nth_combine _ _ i r L I) as (t & F). rewrite forallb_forall in E. exact (check_named_spec _ _ _ t (E _ (nth_error_In _ _ F))).
 Qed.
 
-(* T, along which G is swept, is the exterior of the no-fit polygon; z: a point of D in the inner loop. *)
+(* G is swept along T, the exterior of the no-fit polygon; z: a point of D in the inner loop. *)
 Definition check_whole_sweep (D G : list Statements.ring) (exterior : Statements.ring) (holes : list Statements.ring)
     (fits : list (Statements.point * Statements.point)) (outer inner : Statements.ring) (unswept : list Statements.ring)
     (slits : list (Statements.point * Statements.point)) (area : Q) (c : no_fit_certificate) (t : cut)
@@ -108,7 +108,7 @@ Proof.
   unfold check_path_sum. intro H. apply andb_prop in H as (A & B). split; [exact (sweep_sound _ _ _ _ c A)|exact (check_named_spec _ _ _ _ B)].
 Qed.
 
-(* One translation, decided by the loops and fits of a no-fit polygon *)
+(* A single translation, located by the loops and fits of a no-fit polygon *)
 Inductive verdict := Overlap | Contact | Free.
 Definition locate (loops : list Statements.ring) (fits : list (Statements.point * Statements.point)) (t : Statements.point) : verdict :=
   if existsb (fun e => on_b e t) (flat_map Statements.edges loops ++ fits) then Contact

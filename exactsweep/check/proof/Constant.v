@@ -31,7 +31,7 @@ Lemma identity2 p q x y s :
   ga * H1 * val s x + al * ((snd y - snd q) * val s x + (snd q - snd x) * val s y).
 Proof. destruct s as [[a b] c], p, q, x, y. unfold det, val; cbn. ring. Qed.
 
-(* an edge over the whole strip has both ends on one side *)
+(* both ends of an edge that spans the strip are on one side *)
 Lemma spans p q x y : apart (p, q) x y ->
   snd p <= snd x -> snd x <= snd y -> snd y < snd q -> 0 < det p q x -> 0 < det p q y.
 Proof.
@@ -150,7 +150,7 @@ Proof.
   pose proof (step_up q p x y (apart_sym _ _ _ _ A) B C) as S. rewrite !(cross_sym q p) . lia.
 Qed.
 
-(* rings: equally many edges start and end at each point *)
+(* in rings, equally many edges start and end at each point *)
 Definition ends (es : list edge) : list (key * Z) :=
   flat_map (fun e => [(((0, 0, 0), fst e), 1); (((0, 0, 0), snd e), -1)]) es.
 Definition closed (es : list edge) : Prop := forall k, total (ends es) k = 0.

@@ -1,4 +1,4 @@
-(* Convex pieces: one pass over the vertices proves that all triples of them, in their order, turn left. *)
+(* Convex pieces: one pass over the vertices proves that all triples of vertices, in order, turn left. *)
 Require Import ZArith Lia List Bool.
 From Exactsweep Require Import Cancel Pieces.
 Import ListNotations.
@@ -130,7 +130,7 @@ Lemma det_turn a b c : det a b c = det b c a.
 Proof. unfold det. ring. Qed.
 Lemma det_same a b : det a b a = 0 /\ det a b b = 0.
 Proof. unfold det. lia. Qed.
-(* All vertices but the ends of an edge are on its left. *)
+(* All vertices except the ends of an edge are on its left. *)
 Lemma left_of_edge i j : (i < length r)%nat -> (j < length r)%nat -> j <> i -> (j <> S i) -> (S i = length r -> j <> 0%nat) -> 0 < det (v i) (v (S i)) (v j).
 Proof.
   intros I J N N' M. destruct (Nat.eq_dec (S i) (length r)) as [E|E].
@@ -170,7 +170,7 @@ Proof.
   intro E. apply in_edge in E as (i & I & ->). destruct (third_vertex i I) as (j & J & L). pose proof at_least_three.
   exists (v j). split; [apply vertex_in; lia|exact L].
 Qed.
-(* An end of an edge is on the left of another edge, or the edges are the same. *)
+(* One end of an edge is on the left of another edge, unless the edges are equal. *)
 Lemma edges_differ e f : In e (edges r) -> In f (edges r) -> f = e \/ 0 < det (fst e) (snd e) (fst f) \/ 0 < det (fst e) (snd e) (snd f).
 Proof.
   intros E F. assert (Ends : In (fst f) r /\ In (snd f) r).

@@ -1,4 +1,4 @@
-(* Booleans for covers of segments, and winding numbers along segments that avoid the loops *)
+(* Boolean tests of covers of segments, and winding numbers along segments that avoid the loops *)
 Require Import QArith Qround Lqa ZArith Lia List Bool.
 From Exactsweep Require Import Cancel Constant Fans Pieces Solid Gaps Scaling.
 From Exactsweep Require Statements.
@@ -6,7 +6,7 @@ From Exactsweep Require Import HalfOpen Nearby Boundary SumPoints PiecePoints.
 Import ListNotations.
 Open Scope Q_scope.
 
-(* 1. Winding numbers are the same along segments that avoid the loops. *)
+(* 1. Winding numbers are constant along segments that avoid the loops. *)
 Lemma total_starts (l m : list pt) k : length l = length m ->
   total (ends (combine l m)) k =
   (total (map (fun p => ((0, 0, 0, p)%Z, 1%Z)) l) k - total (map (fun p => ((0, 0, 0, p)%Z, 1%Z)) m) k)%Z.
@@ -175,13 +175,3 @@ Proof.
     assert (0 <= s * (1 - v)) by (apply Qmult_le_0_compat; lra). assert (0 <= (1 - s) * (1 - u)) by (apply Qmult_le_0_compat; lra). lra.
   - rewrite X, Y, Ux, Uy, Vx, Vy. split; ring.
 Qed.
-
-Section Cover.
-Variables (sums : list (list side)) (segments : list side).
-
-
-
-
-(* Sides along a segment, in its direction *)
-
-End Cover.

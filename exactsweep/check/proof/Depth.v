@@ -1,4 +1,4 @@
-(* Points deep in a figure or far from it: all points of a disc around them are in it, or off it. *)
+(* Points deep in a figure or far from it: a disc around them is entirely inside it or entirely outside. *)
 Require Import QArith Lqa ZArith Lia List Bool.
 From Exactsweep Require Statements.
 From Exactsweep Require Import Gaps Scaling HalfOpen Nearby Boundary SumPoints PiecePoints Covers Near.
@@ -20,7 +20,7 @@ Definition is_far (d : Q) (ps : list qpoint) (z : qpoint) : bool := some (ahead 
 Definition far_edges (d : Q) (rs : list Statements.ring) (z : qpoint) : bool :=
   let z := reduced z in forallb (fun e => is_far d [reduced (fst e); reduced (snd e)] z) (flat_map Statements.edges rs).
 
-(* Points of a hull: vertices, points on its edges, and z itself in a triangle of vertices *)
+(* Points of a hull: vertices, points on edges, and z itself if it is in a triangle of vertices *)
 Definition foot (z : qpoint) (e : side) : list qpoint :=
   let v := vector (fst e) (snd e) in let t := along v (vector (fst e) z) / square_of v in
   if Statements.less 0 (square_of v) && Qle_bool 0 t && Qle_bool t 1 then [(fst (fst e) + t * fst v, snd (fst e) + t * snd v)] else [].
@@ -69,7 +69,7 @@ Qed.
 Lemma is_far_some d ps z : is_far d ps z = true -> ps <> [].
 Proof. intros H E. rewrite E in H. discriminate. Qed.
 
-(* The same disc for all members of a list *)
+(* A common disc for all members of a list *)
 Lemma common_disc {A} d z (P : A -> qpoint -> Prop) l :
   (forall a, In a l -> exists c, d < c /\ forall y, Statements.dist2 y z <= c * c -> P a y) -> 0 <= d ->
   exists c, d < c /\ forall y, Statements.dist2 y z <= c * c -> forall a, In a l -> P a y.

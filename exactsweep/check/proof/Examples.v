@@ -10,8 +10,8 @@ Definition unit_square : ring := [(0, 0); (1, 0); (1, 1); (0, 1)].
 Definition no_normals (_ _ _ _ : nat) : pt := (0, 0).
 Definition no_outside_normals (_ : Z) : nat -> nat -> nat -> pt := fun _ _ _ => (0, 0).
 
-(* Two unit squares, one of them rotated by a right angle, half a unit apart in a sheet of 3 by 1; and the disc of
-   radius 1/2 in the middle of a sheet of 1 by 1, which touches its sides. *)
+(* Two unit squares at distance 1/2 in a 3 by 1 sheet, one of them rotated by a right angle; and a disc of radius 1/2 at
+   the center of a 1 by 1 sheet, which touches all its sides. *)
 Definition still (u v : Q) : Statements.motion :=
   {| Statements.mirrored := false; Statements.cosine := 1; Statements.sine := 0; Statements.shift := (u, v) |}.
 Definition rings_only (rs : list Statements.ring) : Statements.figure :=
@@ -53,7 +53,7 @@ Proof. apply (layout_sound no_normals no_outside_normals _ disc_evidence). vm_co
 Example disc_too_close : check_layout no_normals no_outside_normals (disc_in (rings_only [square]) (1 # 4)) disc_evidence = false.
 Proof. vm_compute. reflexivity. Qed.
 
-(* A disc as the container: it holds a disc with room 1/4, not 1/3. *)
+(* A disc as the container: a disc fits with margin 1/4, but not 1/3. *)
 Definition dish : Statements.figure :=
   {| Statements.outline := []; Statements.rounded := [([(1 # 2, 1 # 2)], 3 # 4)]; Statements.error := 0 |}.
 Definition no_frame : certificate := {| denominator := 12; part_pieces := [[]]; kind_pieces := [[]]; obstacle_pieces := []; outside_pieces := []; frame := (0, 0, 0, 0) |}.
@@ -62,14 +62,14 @@ Proof. apply (layout_sound no_normals no_outside_normals _ no_frame). vm_compute
 Example dish_too_small : check_layout no_normals no_outside_normals (disc_in dish (1 # 3)) no_frame = false.
 Proof. vm_compute. reflexivity. Qed.
 
-(* The no-fit polygon of two unit squares: one sum, each side along one edge of the loop *)
+(* The no-fit polygon of two unit squares: one sum, with each side on one edge of the loop *)
 Definition loop : Statements.ring := [(-1 # 1, -1 # 1); (1, -1 # 1); (1, 1); (-1 # 1, 1)]%Q.
 Definition no_fit_evidence : no_fit_certificate :=
   {| unit := 1; NoFit.still := [unit_square]; moving := [unit_square]; listed_sums := [(0, [[-1]; [-2]; [-3]; [-4]])] |}.
 Example no_fit_square : Statements.no_fit_claim [square] [square] [loop] [].
 Proof. apply (no_fit_sound _ _ _ _ no_fit_evidence). vm_compute. reflexivity. Qed.
 
-(* A ring with winding number 2 is rejected, although its pieces cancel to it. *)
+(* A ring with winding number 2 is rejected, although pieces cancel to it. *)
 Example twice_rejected :
   is_solid {| rings := [unit_square; unit_square]; pieces := [unit_square; unit_square] |} = true /\
   simple_solid {| rings := [unit_square; unit_square]; pieces := [unit_square; unit_square] |} = false.

@@ -1,4 +1,4 @@
-(* The checkers as an OCaml program.  Integers are those of zarith; booleans, lists, options and pairs are OCaml's own. *)
+(* The checkers as an OCaml program, with the integers of zarith and OCaml's booleans, lists, options and pairs. *)
 From Exactsweep Require Import Certificates.
 Require Import Extraction ExtrOcamlBasic ExtrOcamlZBigInt ExtrOcamlNatInt.
 Extraction Language OCaml.

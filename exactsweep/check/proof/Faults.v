@@ -1,4 +1,4 @@
-(* Faults, proved by one or two points, whatever the true shapes are; and `valid` for shapes that are known exactly. *)
+(* Faults, proved by one or two points for all possible true shapes; and `valid` for exactly known shapes. *)
 Require Import QArith Lqa ZArith Lia List Bool.
 From Exactsweep Require Statements.
 From Exactsweep Require Import Gaps HalfOpen Nearby Boundary SumPoints PiecePoints Covers Near Depth Hull Layout.
@@ -23,7 +23,8 @@ Proof.
     + rewrite (P' y); [exact N|]. apply (wedge_less r d' z y L' Sq).
 Qed.
 
-(* Figures drawn as rings and known exactly: no two have a common point; each is in the sheet and off each obstacle. *)
+(* Figures drawn as rings and known exactly: they are pairwise disjoint, inside the sheet, and disjoint from all
+   obstacles. *)
 Lemma shape_inside f : 0 <= Statements.error f -> Statements.shape_of f (Statements.inside (Statements.outline f)).
 Proof. intros E z I. apply within_self; [exact E|left; exact I]. Qed.
 Theorem valid_exact l : Statements.valid l ->
@@ -72,8 +73,8 @@ Definition is_drawn (f : Statements.figure) (z : qpoint) : bool :=
 Definition is_outside (f : Statements.figure) (z : qpoint) : bool :=
   (Statements.winding (Statements.outline f) z =? 0)%Z && forallb (fun p => Qle_bool 0 (snd p) && is_far (snd p) (fst p) z) (Statements.rounded f).
 
-(* A point that belongs to a set, at distance less than r from z: z itself, or one close to an edge of the figure, displaced by
-   about the radius.  It is searched with finer and finer units; no property of the search is used. *)
+(* A point of a set at distance less than r from z: z itself, or a point close to an edge of the figure, displaced by
+   about the radius.  The search refines its unit step by step; no property of it is used. *)
 Definition borders (f : Statements.figure) : list (side * Q) :=
   map (fun e => (e, 0)) (flat_map Statements.edges (Statements.outline f)) ++
   flat_map (fun p => map (fun e => (e, snd p)) (Statements.edges (fst p))) (Statements.rounded f).
@@ -90,7 +91,7 @@ Definition units : list positive := map (fun k => 2 ^ k)%positive [1; 2; 4; 8; 1
 Definition near (belongs : qpoint -> bool) (f : Statements.figure) (r : Q) (z : qpoint) : bool :=
   let is_right p := if Statements.less (Statements.dist2 p z) (r * r) then belongs (reduced p) else false in let es := borders f in
   if is_right z then true else some (fun unit => some (fun x => some is_right (displaced z unit x)) es) units.
-(* A body: whether it is the complement of a figure, the figure, and the distance from it *)
+(* A body: whether it is the complement of a figure, the figure, and the required distance from it *)
 Definition figure_of (l : Statements.layout) (b : Statements.body) : option (bool * Statements.figure * Q) :=
   match b with
   | Statements.Part i => option_map (fun x => (false, Statements.placed l x, Statements.spacing l)) (nth_error (Statements.placements l) i)
@@ -109,7 +110,7 @@ Definition check_number (l : Statements.layout) (k : nat) (c : N -> N -> bool) :
   | Some p => match Statements.demand p with Some n => c (Statements.number l k) n | None => false end
   | None => false
   end.
-(* z: a point deep in both bodies, or near both, or a point of winding number neither 0 nor 1 *)
+(* z: a point deep in both bodies, near both, or with a winding number other than 0 and 1 *)
 Definition check_fault (l : Statements.layout) (f : Statements.fault) (z : qpoint) : bool :=
   match f with
   | Statements.Missing k => check_number l k N.ltb

@@ -60,7 +60,7 @@ Proof.
   - intros v I. apply in_map_iff in I as (u & <- & I). rewrite dot_grow. specialize (B u I). nia.
 Qed.
 
-(* existsb, which ends at the first that is right, within Coq, too *)
+(* existsb that stops at the first match, also when computed in Coq *)
 Fixpoint some {A} (f : A -> bool) (l : list A) : bool :=
   match l with [] => false | a :: r => if f a then true else some f r end.
 Lemma some_exists {A} (f : A -> bool) l : some f l = true <-> exists x, In x l /\ f x = true.
@@ -74,7 +74,7 @@ Proof.
   - apply IH, H2.
 Qed.
 
-(* A side of one of two pieces has the other on its right, or an axis separates them. *)
+(* One piece has a side with the other piece on its right, or an axis direction separates them. *)
 Definition normal (e : edge) : pt := (snd (snd e) - snd (fst e), fst (fst e) - fst (snd e)).
 Definition opposite (p : pt) : pt := (- fst p, - snd p).
 Definition axes : list pt := [(1, 0); (0, 1); (-1, 0); (0, -1)].
@@ -83,7 +83,7 @@ Definition apart (p q : ring) : bool :=
 Lemma apart_spec p q : apart p q = true -> exists n, far 0 n p q = true.
 Proof. unfold apart. intro H. apply some_exists in H as (n & _ & H). exists n. exact H. Qed.
 
-(* Pieces make up a shape: convex, at least one, that cancel to its rings and are apart from each other. *)
+(* A decomposition of a shape: at least one piece; the pieces are convex, pairwise disjoint, and cancel to the rings. *)
 Definition simple_solid (s : solid) : bool :=
   is_solid s && negb (match pieces s with [] => true | _ => false end) && all_pairs apart (pieces s).
 Lemma simple_convex s p : simple_solid s = true -> In p (pieces s) -> is_convex p = true.

@@ -1,4 +1,4 @@
-(* The half-open rule: two shapes have a common point if and only if they overlap. *)
+(* The half-open rule: two shapes have a common point if and only if their interiors overlap. *)
 Require Import QArith Lqa ZArith Lia List Bool.
 From Exactsweep Require Statements.
 Import ListNotations.
@@ -26,7 +26,7 @@ Proof. intros. nra. Qed.
 Lemma mono_lt (m x y : Q) : 0 < m -> x < y -> m * x < m * y.
 Proof. intros. nra. Qed.
 
-(* Points right of z and slightly above it *)
+(* Points to the right of z and slightly above it *)
 Definition wedge (d : Q) (z y : Statements.point) : Prop :=
   0 < fst y - fst z < d /\ 0 < snd y - snd z < d * (fst y - fst z).
 

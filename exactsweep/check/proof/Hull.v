@@ -1,4 +1,5 @@
-(* The nearest point of a convex hull; rounded pieces as containers: sets near their hulls are at a distance from the complement. *)
+(* The nearest point of a convex hull; and rounded pieces as containers: sets near their hulls keep a distance from the
+   complement. *)
 Require Import QArith Lqa ZArith Lia List Bool.
 From Exactsweep Require Statements.
 From Exactsweep Require Import Gaps Scaling HalfOpen Nearby Boundary SumPoints PiecePoints Covers Near Depth.
@@ -29,7 +30,7 @@ Proof.
     apply Qmult_le_0_compat; [lra|]. assert (0 <= m * r) by (apply Qmult_le_0_compat; lra). lra.
 Qed.
 
-(* From a point of a triangle towards one outside: a side is met. *)
+(* A segment from a point of a triangle to a point outside meets a side. *)
 Definition on_side (a b y : qpoint) : Prop := exists t, 0 <= t <= 1 /\ meets_at y (point_on a b t).
 Lemma towards f x u t : o f (point_on x u t) == o f x + t * (o f u - o f x).
 Proof. unfold o, Statements.orient, point_on. cbn [fst snd]. ring. Qed.
@@ -90,7 +91,7 @@ Proof.
   apply Qle_bool_iff in L1, L2, L3. rewrite L1, L2, L3 in H. cbn [andb] in H.
   assert (X : Statements.less 0 (o (a, b) u + o (b, p) u + o (p, a) u) = true) by (apply less_true; lra). congruence.
 Qed.
-(* Between a point of a segment and a third point of its line *)
+(* Between a point of a segment and a third point on its line *)
 Lemma on_line {X : qpoint -> Prop} a b p t s : X a -> X b -> X p -> 0 <= t <= 1 -> 0 <= s <= 1 -> o (a, b) p == 0 -> ~ meets_at a b ->
   (forall c d r, X c -> X d -> 0 <= r <= 1 -> meets_at (point_on (point_on a b t) p s) (point_on c d r) -> False) -> False.
 Proof.
@@ -193,7 +194,7 @@ Lemma near_hull_spec r ps z : 0 <= r -> near_hull r ps z = true -> Statements.wi
 Proof.
   intros R H d D F. destruct (near_hull_point r ps z H) as (q & I & L). specialize (F q I). pose proof (sq_lt r d R D). lra.
 Qed.
-(* A hull of points that are near a hull is near it. *)
+(* The hull of points near a hull is near that hull. *)
 Lemma within_hull ps vs c y : ps <> [] -> 0 <= c -> (forall v, In v vs -> exists q, Statements.hull ps q /\ Statements.dist2 q v <= c * c) ->
   (forall n, exists v, In v vs /\ along n y <= along n v) -> Statements.within c (Statements.hull ps) y.
 Proof.
@@ -210,7 +211,7 @@ Proof.
   assert (X : N * N <= N * (c * c)) by lra. assert (Y : N * (c * c) < N * N) by (apply mono_lt; lra). lra.
 Qed.
 
-(* R: the radius of the container. e: its error. Each region is near the hull, with room for a distance s. *)
+(* R: the radius of the container. e: its error. Each region is near the hull and leaves a distance s. *)
 Theorem keeps_hull s R e ps (l : list region) (S D U : qpoint -> Prop) : 0 <= s -> 0 <= e -> s + e <= R ->
   (forall z, S z -> in_some l z) ->
   (forall q, In q l -> 0 <= snd q /\ exists b, 0 <= b /\ b + snd q + s + e <= R /\ forall y, fst q y -> Statements.within b (Statements.hull ps) y) ->

@@ -1,5 +1,5 @@
-(* The checker of inner fits, and its theorem. The part leaves the frame at the positions of four half-planes; it
-   leaves the container at these and at the sums of a piece outside the container and a piece of the part. *)
+(* The checker of inner fits, and its theorem. The part leaves the frame at positions in four half-planes; it leaves the
+   container at these positions and at sums of a piece outside the container and a piece of the part. *)
 Require Import QArith Lqa ZArith Lia List Bool Permutation.
 From Exactsweep Require Import Cancel Constant Fans Pieces Convex Solid Gaps Scaling.
 From Exactsweep Require Statements.
@@ -82,7 +82,7 @@ Proof.
   - exists e. split; [apply in_or_app; right; exact I|exact X].
 Qed.
 
-(* An edge that is not right of z, or not at its height, does not count. *)
+(* An edge that is not to the right of z, or not at its height, contributes nothing. *)
 Lemma crossing_none z a b : (snd a <= snd z /\ snd b <= snd z) \/ (snd z < snd a /\ snd z < snd b) \/
   (fst a <= fst z /\ fst b <= fst z) -> Statements.crossing z (a, b) = 0%Z.
 Proof.
@@ -280,7 +280,7 @@ Proof.
     + left. apply andb_true_intro. split; apply Qle_bool_iff; assumption.
 Qed.
 
-(* In the container: in the frame, and in no piece outside. *)
+(* In the container: in the frame, and in no piece of the complement. *)
 Definition in_frame_at (z : qpoint) : Prop := fl # N <= fst z < fr # N /\ fb # N <= snd z < ft # N.
 Lemma container_wind z :
   (in_frame_at z -> (forall P, In P (outside c) -> Statements.winding [qring N P] z <> 1%Z) -> Statements.winding C z = 1%Z) /\

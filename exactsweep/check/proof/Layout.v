@@ -6,8 +6,8 @@ From Exactsweep Require Import HalfOpen Nearby Boundary SumPoints PiecePoints Co
 Import ListNotations.
 Open Scope Z_scope.
 
-(* The evidence, in integers at a common denominator: pieces of each placement, part and obstacle that is drawn as
-   rings, and of the complement of the sheet in a frame (left, bottom, right, top). *)
+(* The evidence, in integers at a common denominator: pieces of each placement, part and obstacle drawn as rings, and of
+   the complement of the sheet in a frame (left, bottom, right, top). *)
 Record certificate := {
   denominator : positive;
   part_pieces : list (list ring); kind_pieces : list (list ring); obstacle_pieces : list (list ring);
@@ -78,8 +78,8 @@ Definition check_supply (l : Statements.layout) : bool :=
 Definition is_amount (D : Z) (q : Q) : bool := Qle_bool 0 q && integral D q.
 
 Section Check.
-(* The normals of the certificate: an arbitrary function, no property of it is used. `outside_normals` -1: the
-   complement of the sheet; -2 - k: obstacle k; either is on the first side of the normal. *)
+(* The normals of the certificate, an arbitrary function: no property of it is used. `outside_normals` -1: the
+   complement of the sheet; -2 - k: obstacle k; both are on the first side of the normal. *)
 Variables (normals : nat -> nat -> nat -> nat -> pt) (outside_normals : Z -> nat -> nat -> nat -> pt).
 Variables (l : Statements.layout) (c : certificate).
 Let D := Zpos (denominator c).
@@ -98,7 +98,8 @@ Definition is_solid_figure (x : Statements.figure * list ring) : bool :=
   | _, ps, _ => simple_solid {| rings := int_rings D rs; pieces := ps |}
   end.
 
-(* The sheet: d is the margin.  A rounded sheet contains a piece if all its vertices are near enough to the hull. *)
+(* The sheet: d is the margin.  A rounded sheet contains a piece if all vertices of the piece are close enough to the
+   hull. *)
 Definition in_rounded (d : Z) (ps : list qpoint) (radius : Z) (x : item) : bool :=
   forallb (fun q => let room := radius - snd q - reach x - d in
     (0 <=? room) && forallb (fun v => near_hull (room # denominator c) ps (qpt (denominator c) v)) (fst q)) (parts x).
@@ -241,7 +242,7 @@ Proof.
     apply sq_le; [apply frac_nonneg, D0|exact G].
 Qed.
 
-(* Two solids that are apart *)
+(* Two solids at distance d *)
 Definition sound (x : item) : Prop := (0 <= reach x)%Z /\ extents x = map (extent (parts x)) axes /\ forall p, In p (parts x) -> (0 <= snd p)%Z.
 Definition regions (x : item) : list region := map (fun p => (fst p, (reach x # N) + snd p)) (map region_of (parts x)).
 Lemma numbered_in {A} (l : list A) a : In a l -> exists i, In (i, a) (numbered l).

@@ -58,7 +58,7 @@ Proof.
   assert (T : v / 2 == (1 # 2) * v) by field. rewrite T in J. unfold v in *. lra.
 Qed.
 
-(* n: a normal.  A: a set below the bound a.  B: a set above the bound b. *)
+(* n: a normal.  A: a set below the bound a in direction n.  B: a set above the bound b. *)
 Section Gap.
 Variables (n : qpoint) (a b r r' s : Q) (A B : qpoint -> Prop).
 Hypothesis HA : forall y, A y -> along n y <= a.
@@ -180,7 +180,7 @@ Proof.
   - pose proof (sq_nonneg (s - d)) as P. assert (F : (s - d) * (s - d) == s * s + d * d - d * (2 * s)) by ring. lra.
 Qed.
 
-(* Distances from unions and from neighbourhoods *)
+(* Distances from unions and from neighborhoods *)
 Lemma triangle x y z c d : 0 <= c -> 0 <= d -> Statements.dist2 x y <= c * c -> Statements.dist2 y z <= d * d ->
   Statements.dist2 x z <= (c + d) * (c + d).
 Proof.
@@ -235,7 +235,7 @@ Proof.
   apply (Cov y Y). intros p I Wp. specialize (H p I y Wp). lra.
 Qed.
 
-(* Two sets covered by regions with a gap between any two *)
+(* Two sets covered by regions with pairwise gaps *)
 Definition gap_between (s : Q) (p q : region) : Prop := exists n a b,
   (forall y, fst p y -> along n y <= a) /\ (forall y, fst q y -> b <= along n y) /\ 0 < square_of n /\ a <= b /\
   (s + snd p + snd q) * (s + snd p + snd q) * square_of n <= (b - a) * (b - a).

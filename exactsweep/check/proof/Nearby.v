@@ -1,6 +1,6 @@
-(* Properties of all points in a small wedge at z, right of it and slightly above. Finitely many of them hold together
-   (`ev_and`, `ev_all`), so a point can be moved into general position: off the heights of all vertices (`ev_height`) and
-   off a segment (`ev_off`). *)
+(* Properties of all points in a small wedge at z, to the right and slightly above. Finitely many of them hold
+   simultaneously (`ev_and`, `ev_all`), so a point can be moved into general position: to a height of no vertex
+   (`ev_height`) and off a segment (`ev_off`). *)
 Require Import QArith Lqa ZArith Lia List Bool.
 From Exactsweep Require Statements.
 From Exactsweep Require Import HalfOpen.

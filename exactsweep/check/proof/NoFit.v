@@ -6,8 +6,8 @@ From Exactsweep Require Import HalfOpen Nearby Boundary SumPoints PiecePoints Co
 Import ListNotations.
 Open Scope Q_scope.
 
-(* The evidence: integer pieces of both shapes at a common denominator, and the listed sums, each with its
-   number, i n + j for the pieces i and j, and a chain for each of its sides. *)
+(* The evidence: integer pieces of both shapes at a common denominator, and the listed sums, each with its number
+   (i n + j for pieces i and j) and a chain for each of its sides. *)
 Record no_fit_certificate := {
   unit : positive; still : list ring; moving : list ring; listed_sums : list (Z * list (list Z)) }.
 

@@ -6,7 +6,8 @@ From Exactsweep Require Import HalfOpen Nearby Boundary SumPoints.
 Import ListNotations.
 Open Scope Z_scope.
 
-(* A point strictly left of all sides, and on no line through the first vertex and another, is in the fan once. *)
+(* A point strictly left of all sides, and on no line through the first vertex and another vertex, is in exactly one
+   triangle of the fan. *)
 Lemma fan_strict p z l : forall q, sorted p q l = true -> 0 < det p q z ->
   (forall f, In f (back p q l) -> 0 < det (fst f) (snd f) z) -> (forall a, In a l -> det p a z <> 0) ->
   1 <= wind (flat_map edges3 (fan_from p q l)) z.
@@ -40,7 +41,7 @@ Proof.
   assert (1 <= wind (flat_map edges3 (fan_from p q (s :: l))) z); [|lia].
   apply fan_strict; [exact S|exact Hq|intros f I; apply H; right; exact I|].
   intros a I E0. specialize (N a (or_intror (or_intror I)) E0). subst a.
-  (* no later corner is the first one *)
+  (* no later vertex equals the first one *)
   cbn [sorted] in S. clear - S I. revert q s S I. induction l as [|x l IH]; intros q s S [->|I].
   - apply andb_prop in S as (S & _). apply andb_prop in S as (S & _). apply Z.ltb_lt in S. unfold det in S. lia.
   - destruct I.
@@ -98,7 +99,7 @@ Proof.
     generalize (ev_strict _ z M'). apply ev_weaken. intros y Y C. rewrite o_sym in Y. destruct f; cbn [fst snd] in *. lra. }
   assert (Z : o f z == 0) by lra.
   destruct (Qeq_dec (rise f) 0) as [R|R].
-  - (* level *)
+  - (* horizontal *)
     exists 1. split; [lra|]. intros y (Y1 & Y2 & Y3) C. rewrite (o_move f z y), Z, R in C.
     assert (E : run f * (snd y - snd z) == 0) by lra. apply Qmult_integral in E.
     destruct E as [E|E]; [|lra]. apply N. unfold run, rise in *. split; lra.
@@ -107,7 +108,7 @@ Proof.
     assert (M0 : 0 < m) by (pose proof (square (run f)); unfold m; lra).
     set (r := rise f) in *. assert (R2 : 0 < r * r) by (pose proof (square r) as S2; destruct (Qeq_dec (r * r) 0) as [E|E];
       [apply Qmult_integral in E; tauto|lra]).
-    (* choose d with d m <= |r| *)
+    (* a d with d m <= |r| *)
     destruct (Qlt_le_dec r 0) as [Rn|Rp].
     + assert (P0 : 0 < - r / m) by (apply Qlt_shift_div_l; lra). exists (- r / m). split; [exact P0|].
       intros y ((Y1 & Y2) & Y3 & Y4) C. rewrite (o_move f z y), Z in C. fold r in C.

@@ -1,6 +1,6 @@
-(* Winding numbers of triangles and of fans at every point, points on edges included. `cross` counts the edges right
-   of a point: a shape contains its left and lower sides, not its right and upper sides. So a counter-clockwise triangle
-   has winding number 0 or 1 around a point, and two triangles on two sides of a line have no common point. *)
+(* Winding numbers of triangles and fans at every point, including points on edges. `cross` counts the edges to the
+   right of a point: a shape contains its left and lower sides, not its right and upper sides. So a counter-clockwise
+   triangle has winding number 0 or 1 around any point, and two triangles on opposite sides of a line are disjoint. *)
 Require Import ZArith Lia List Bool.
 From Exactsweep Require Import Cancel Constant Fans.
 Import ListNotations.
@@ -21,7 +21,7 @@ Qed.
 Lemma dot_opp n p : dot (- fst n, - snd n) p = - dot n p.
 Proof. unfold dot. cbn. ring. Qed.
 
-(* The winding number is 0 around a point that no edge is right of. *)
+(* The winding number is 0 around a point without edges to its right. *)
 Lemma lean_edge p q z n : rightward n -> dot n p <= dot n z -> dot n q <= dot n z -> cross (p, q) z <= 0.
 Proof.
   intros R A B. unfold cross.
@@ -126,7 +126,7 @@ Proof.
   - destruct (IH r S2) as [->|(-> & a & b & (I & J & D) & T)].
     + right. split; [reflexivity|]. exists q, r. repeat split; cbn; auto.
     + exfalso.
-      (* the line from p through r has q, r on one side, a and b on the other *)
+      (* the line from p through r weakly separates q from a and b *)
       set (n := (snd p - snd r, fst r - fst p)).
       assert (Dn : forall v, dot n v - dot n p = det p r v) by (intro v; unfold dot, det, n; cbn; ring).
       assert (Later : forall v, In v (r :: m) -> 0 <= det p r v).
@@ -171,7 +171,7 @@ Proof.
   apply (tri_bound p a b z n m D); [lia|apply B; left; reflexivity| |]; apply B; right; assumption.
 Qed.
 
-(* Two pieces on two sides of a line have no common point. *)
+(* Two pieces on opposite sides of a line are disjoint. *)
 Lemma piece_sep r s z n m : is_fan r = true -> is_fan s = true -> n <> (0, 0) ->
   (forall v, In v r -> dot n v <= m) -> (forall v, In v s -> m <= dot n v) ->
   ring_wind r z + ring_wind s z <= 1.

@@ -5,7 +5,7 @@ From Exactsweep Require Import HalfOpen Scaling Near.
 Import ListNotations.
 Open Scope Q_scope.
 
-(* Real points: sequences of rational points, number n at distance 1 / (n + 1) or less from it in both coordinates *)
+(* Real points: sequences of rational points; both coordinates of the n-th point have errors of at most 1 / (n + 1) *)
 Definition radius (n : nat) : Q := 1 # Pos.of_succ_nat n.
 Definition real_point (x : nat -> qpoint) : Prop := forall n m,
   let d := radius n + radius m in - d <= fst (x n) - fst (x m) <= d /\ - d <= snd (x n) - snd (x m) <= d.
@@ -30,8 +30,8 @@ Proof.
   assert (H2 : c / 2 == (1 # 2) * c) by field. pose proof (R k n) as (Rn1 & Rn2). pose proof (R k m) as (Rm1 & Rm2).
   exists (x k). split; exists (c / 2); (split; [lra|]); intros y (Y1 & Y2); [apply HS|apply HT]; unfold Statements.close in *; lra.
 Qed.
-(* Two real points in the closures of two sets at distance d: for each c < d, the approximations are finally more than
-   c apart. *)
+(* Two real points in the closures of two sets at distance d: for each c < d, the approximations are eventually at a
+   distance greater than c. *)
 Theorem real_at_least d S T x y : Statements.at_least d S T -> real_closure S x -> real_closure T y ->
   forall c, 0 <= c -> c < d -> exists n, forall m, (n <= m)%nat -> c * c < Statements.dist2 (x m) (y m).
 Proof.
@@ -49,10 +49,10 @@ Proof.
   pose proof (sq_lt (3 * r + c + 3 * r) d ltac:(lra) ltac:(lra)). lra.
 Qed.
 
-(* Rotations with an error.  Two motions whose cosines and sines differ by d and d' map a point with |x| + |y| <= r to points
-   at distance (d + d') r or less.  Let a figure be at distance `round` or less from a core, whose points are so bounded;
-   its true shape, known up to e, is moved by a rotation m'.  Then the core moved by m, with the same radius, is the shape up
-   to e + (d + d') r: neither the radius nor e need be bounded, as m' keeps distances. *)
+(* Rotations with an error.  Two motions whose cosines and sines differ by d and d' map a point with |x| + |y| <= r to
+   points at distance (d + d') r or less.  Let a figure lie within distance `round` of a core whose points satisfy this
+   bound, and move its true shape, known up to e, by a rotation m'.  Then the core moved by m, with the same radius, is
+   the moved shape up to e + (d + d') r.  As m' preserves distances, neither the radius nor e is multiplied. *)
 Definition moved_by (m : Statements.motion) (S : qpoint -> Prop) (z : qpoint) : Prop := exists p, S p /\ z = Statements.move m p.
 Definition bounded (r : Q) (p : qpoint) : Prop := exists a b, - a <= fst p <= a /\ - b <= snd p <= b /\ a + b <= r.
 Lemma move_near m m' d d' r p : Statements.mirrored m = Statements.mirrored m' -> Statements.shift m = Statements.shift m' ->
@@ -98,7 +98,7 @@ Proof.
   set (w := Statements.move m v) in *. set (z := Statements.move m' p) in *. set (q := e + D + 2 * g).
   assert (Q0 : 0 < q) by (unfold q; lra). assert (L : q < t) by (unfold q; lra).
   assert (Eq : D + (round + g + (e + g)) == round + q) by (unfold q; ring). rewrite Eq in T2.
-  (* u: the point of the segment from w to z that divides it as round to q *)
+  (* u: the point that divides the segment from w to z in the ratio round to q *)
   set (s := round / (round + q)). assert (Es : s * (round + q) == round) by (unfold s; field; lra).
   assert (Es' : (1 - s) * (round + q) == q) by lra.
   set (u := (fst w + s * (fst z - fst w), snd w + s * (snd z - snd w))).

@@ -137,7 +137,7 @@ Proof.
   split; apply int_at; assumption.
 Qed.
 
-(* Closures keep distances. *)
+(* Closures preserve distances. *)
 Open Scope Q_scope.
 Lemma abs_bound (a : Q) : - (a * a + 1) <= a <= a * a + 1.
 Proof. split; nra. Qed.

@@ -69,7 +69,7 @@ Proof.
     try destruct (Z.ltb_spec (-1 * d) 0); lia.
 Qed.
 
-(* Level edges contribute nothing. *)
+(* Horizontal edges contribute nothing. *)
 Definition tilted (e : edge) : bool := negb (snd (fst e) =? snd (snd e)).
 Lemma wind_tilted k es z : wind (map (grow_edge k) (filter tilted es)) z = wind (map (grow_edge k) es) z.
 Proof.
@@ -129,8 +129,8 @@ Proof.
   destruct (KeySort.sort l) as [|(k, s) r]; [reflexivity|]. apply runs_weigh.
 Qed.
 
-(* First opposite edges of two pieces, and edges of pieces that are edges of rings, cancel as they are, then parts of
-   edges, line by line. *)
+(* First, opposite edges of two pieces cancel, and edges of pieces with equal edges of rings; then parts of edges cancel
+   line by line. *)
 Definition edge_key (e : edge) : key * Z :=
   let (p, q) := e in if snd p <? snd q then (((fst p, snd p, fst q), (snd q, 0)), 1) else (((fst q, snd q, fst p), (snd p, 0)), -1).
 Definition key_edge (k : key) : edge := let '((a, b, c), (d, _)) := k in ((a, b), (c, d)).
@@ -214,7 +214,7 @@ Proof.
   - split; [lia|]. intros _. exists p. split; [left; reflexivity|assumption].
 Qed.
 
-(* Of pairwise disjoint pieces at most one contains a point. *)
+(* At most one of pairwise disjoint pieces contains a given point. *)
 Lemma count_one k ps z : 0 < k -> fans ps ->
   ForallOrdPairs (fun p q => ring_wind (map (grow k) p) z + ring_wind (map (grow k) q) z <= 1) ps ->
   count k ps z = 0 \/ count k ps z = 1.

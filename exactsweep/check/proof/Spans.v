@@ -10,7 +10,7 @@ Open Scope Q_scope.
 
 (* 1. The functions of the checker *)
 
-(* Start, end, and whether both belong to the interval *)
+(* Start, end, and whether the interval is closed *)
 Definition span := (Q * Q * bool)%type.
 
 Definition before (x y : span) : bool :=

@@ -8,14 +8,14 @@ Import ListNotations.
 Open Scope Q_scope.
 
 Definition point := (Q * Q)%type.
-Definition ring := list point.                                  (* closed: the last vertex joins the first *)
+Definition ring := list point.                                  (* closed: an edge joins the last vertex to the first *)
 Definition edges (r : ring) : list (point * point) := match r with [] => [] | p :: t => combine r (t ++ [p]) end.
 
 (* Twice the signed area of the triangle a, b, p: positive where p is left of the line from a to b. *)
 Definition orient (a b p : point) : Q := (fst b - fst a) * (snd p - snd a) - (snd b - snd a) * (fst p - fst a).
 
-(* How often rings go around z, counter-clockwise: edges that cross the ray from z to the right, upward ones minus
-   downward ones.  The lower end of an edge belongs to it, the upper end does not. *)
+(* The winding number of rings around z: the upward edges that cross the ray from z to the right, minus the downward
+   ones.  The lower end of an edge belongs to it, the upper end does not. *)
 Definition less (x y : Q) : bool := negb (Qle_bool y x).
 Definition crossing (z : point) (e : point * point) : Z :=
   let (a, b) := e in
@@ -24,8 +24,8 @@ Definition crossing (z : point) (e : point * point) : Z :=
   else 0%Z.
 Definition winding (rs : list ring) (z : point) : Z := fold_right Z.add 0%Z (map (crossing z) (flat_map edges rs)).
 
-(* A shape is where the winding number of its rings is 1: exteriors counter-clockwise, holes clockwise.  By the rule above
-   it contains its left and lower sides, not the others; by `half_open` (HalfOpen.v) only its boundary depends on the rule. *)
+(* A shape is the set with winding number 1; exteriors are counter-clockwise, holes clockwise.  By the rule above it
+   contains its left and lower sides, not the others; by `half_open` (HalfOpen.v) only its boundary depends on the rule. *)
 Definition inside (rs : list ring) (z : point) : Prop := winding rs z = 1%Z.
 
 (* Topology and distance *)
@@ -38,12 +38,12 @@ Definition disjoint (S T : point -> Prop) : Prop := forall z, ~ (S z /\ T z).
 Definition at_least (d : Q) (S T : point -> Prop) : Prop :=     (* any two points are at distance d or more *)
   forall y z, closure S y -> closure T z -> d * d <= dist2 y z.
 
-(* A simple shape: its rings go around each point once or not at all, and it is not empty. *)
+(* A simple shape: all winding numbers of its rings are 0 or 1, and its interior is not empty. *)
 Definition simple (rs : list ring) : Prop :=
   (forall z, winding rs z = 0%Z \/ winding rs z = 1%Z) /\ exists z, interior (inside rs) z.
 
-(* Figures.  Drawn as rings, or as rounded pieces: all points at distance r or less from the convex hull of points (a disc
-   is one point, a slot two).  Known up to an error e: the true shape is any set of points at distance e or less from it. *)
+(* Figures are drawn as rings or as rounded pieces: all points at distance r or less from a convex hull (of one point for
+   a disc, two for a slot).  Given an error e, the true shape is any set of points at distance e or less from the figure. *)
 Definition hull (ps : list point) (z : point) : Prop :=         (* in every half-plane that contains the points *)
   forall a b c, (forall p, In p ps -> a * fst p + b * snd p <= c) -> a * fst z + b * snd z <= c.
 Definition within (e : Q) (S : point -> Prop) (z : point) : Prop :=     (* at distance e or less from S and its limits *)
@@ -63,17 +63,17 @@ Definition move (m : motion) (p : point) : point :=
   (cosine m * x - sine m * snd p + fst (shift m), sine m * x + cosine m * snd p + snd (shift m)).
 Definition place (m : motion) (rs : list ring) : list ring := map (fun r => map (move m) (if mirrored m then rev r else r)) rs.
 
-(* A rotation by its cosine and sine, or by degrees from 0 to 360 if these are irrational (no multiples of 90) *)
+(* A rotation, by cosine and sine, or by degrees from 0 to 360 if these are irrational (not a multiple of 90) *)
 Inductive rotation := Rational (c s : Q) | Degrees (d : Q).
 Record part := {
   form : figure; demand : option N;                                       (* None: any number *)
-  rotations : option (list rotation);                                     (* those allowed; None: any *)
+  rotations : option (list rotation);                                     (* allowed; None: any *)
   mirrored_rotations : option (list rotation); may_mirror : bool }.       (* for mirrored placements *)
 (* `degrees`: None, or those of an irrational rotation. Then by_motion has a rational one, and points are off by at most `slack`. *)
 Record placement := { kind : nat; by_motion : motion; degrees : option Q; slack : Q }.
 Record layout := {
   sheet : option figure;                   (* the container: rings with its holes, or a rounded piece; None: no container *)
-  obstacles : list (figure * Q);           (* further defects, which may cross its edge, and their distances from parts *)
+  obstacles : list (figure * Q);           (* further defects, which may cross its edge, and their required distances *)
   kinds : list part; placements : list placement; spacing : Q; margin : Q }.
 Definition no_part : part :=
   {| form := {| outline := []; rounded := []; error := 0 |}; demand := None; rotations := None; mirrored_rotations := None; may_mirror := true |}.
@@ -108,19 +108,19 @@ Record valid (l : layout) : Prop := {
     Forall (fun o => is_shape (fst o)) (obstacles l);
   apart : forall i j x y S T, nth_error (placements l) i = Some x -> nth_error (placements l) j = Some y -> i <> j ->
     shape_of (placed l x) S -> shape_of (placed l y) T -> keeps (spacing l) S T;
-  (* U: all that is outside the true container *)
+  (* U: the complement of the true container *)
   contained : forall x f S U, In x (placements l) -> sheet l = Some f ->
     shape_of (placed l x) S -> outside_of f U -> keeps (margin l) S U;
   no_defect : forall x o S T, In x (placements l) -> In o (obstacles l) ->
     shape_of (placed l x) S -> shape_of (fst o) T -> keeps (snd o) S T }.
 
-(* Faults, whatever the true shapes are: the Hausdorff distance of S and the drawn shape is at most their error, and so is
-   that of their complements. *)
+(* Faults for all possible true shapes S: the Hausdorff distance of S and the drawn shape is at most the error, and so
+   is that of their complements. *)
 Definition true_shape (f : figure) (S : point -> Prop) : Prop :=
   (forall z, ~ within (error f) (fun y => ~ drawn f y) z -> S z) /\ known_to (error f) (drawn f) S /\
   known_to (error f) S (drawn f) /\ known_to (error f) (fun z => ~ S z) (fun z => ~ drawn f z).
-Inductive body := Part (i : nat) | Beyond | Obstacle (k : nat).       (* Beyond: all that is outside the sheet *)
-Definition body_of (l : layout) (b : body) : option (Q * ((point -> Prop) -> Prop)) :=     (* its distance; all it may be *)
+Inductive body := Part (i : nat) | Beyond | Obstacle (k : nat).       (* Beyond: the complement of the sheet *)
+Definition body_of (l : layout) (b : body) : option (Q * ((point -> Prop) -> Prop)) :=     (* distance; possible sets *)
   match b with
   | Part i => option_map (fun x => (spacing l, true_shape (placed l x))) (nth_error (placements l) i)
   | Beyond => option_map (fun f => (margin l, fun U => exists C, true_shape f C /\ U = fun z => ~ C z)) (sheet l)
@@ -143,8 +143,8 @@ Definition has (l : layout) (f : fault) : Prop :=
   end.
 Definition faulty (l : layout) (fs : list fault) : Prop := well_formed l /\ fs <> [] /\ Forall (has l) fs /\ ~ valid l.
 
-(* No-fit polygons.  O is the set of translations at which G + t overlaps D.  The claim on rings (loops) and segments (exact
-   fits): together they are the boundary of O, where G + t touches D; off them, the loops wind once around O, not the rest. *)
+(* No-fit polygons.  O is the set of translations t at which G + t overlaps D.  The claim: together, rings (loops) and segments
+   (exact fits) are the boundary of O, where G + t touches D; off them, the loops wind once around O, and not around the rest. *)
 Definition translate (t : point) (rs : list ring) : list ring := map (map (fun p => (fst p + fst t, snd p + snd t))) rs.
 Definition overlaps_at (D G : list ring) (t : point) : Prop := overlap (inside D) (inside (translate t G)).
 Definition on_segment (e : point * point) (z : point) : Prop :=
@@ -157,8 +157,8 @@ Definition no_fit_claim (D G loops : list ring) (fits : list (point * point)) : 
   (forall t, L t <-> (closure (overlaps_at D G) t /\ ~ overlaps_at D G t)) /\
   (forall t, ~ L t -> (overlaps_at D G t /\ winding loops t = 1%Z) \/ (~ overlaps_at D G t /\ winding loops t = 0%Z)).
 
-(* Loops by name, all listed counter-clockwise: each is simple, the holes have no point in common, and they are in the
-   exterior.  `simple` is about winding numbers: a loop may touch itself. *)
+(* Named loops, all listed counter-clockwise: each is simple, and the holes are disjoint and inside the exterior.
+   `simple` concerns winding numbers: a loop may touch itself. *)
 Definition named (exterior : ring) (holes : list ring) : Prop :=
   simple [exterior] /\ Forall (fun h => simple [h]) holes /\ (forall z, winding holes z = 0%Z \/ winding holes z = 1%Z) /\
   forall z, winding holes z = 1%Z -> winding [exterior] z = 1%Z.
@@ -170,7 +170,7 @@ Definition no_fit_polygon (D G : list ring) (exterior : ring) (holes : list ring
   let L := on_any (flat_map edges (with_holes exterior holes) ++ fits) in
   no_fit_claim D G (with_holes exterior holes) fits /\ (forall t, L t <-> touches_at D G t) /\ named exterior holes.
 
-(* Inner fits: the translations at which G + t is in the container C.  The claim on regions and exact fits. *)
+(* Inner fits: the translations t at which G + t is in the container C.  The claim about regions and exact fits. *)
 Definition fits_at (C G : list ring) (t : point) : Prop := forall z, inside (translate t G) z -> inside C z.
 Definition inner_fit_claim (C G regions : list ring) (fits : list (point * point)) : Prop :=
   let L := on_any (flat_map edges regions ++ fits) in
@@ -179,21 +179,21 @@ Definition inner_fit_claim (C G regions : list ring) (fits : list (point * point
 Definition inner_fit_polygon (C G : list ring) (regions : list (ring * list ring)) (fits : list (point * point)) : Prop :=
   inner_fit_claim C G (flat_map (fun r => with_holes (fst r) (snd r)) regions) fits /\ Forall (fun r => named (fst r) (snd r)) regions.
 
-(* Swept areas: G travels along the segments T.  Off loops, and slits, which are no part of the answer, the loops wind once
-   around the points that G covers on its way, and not around the rest. *)
+(* Swept areas: G moves along the segments T.  Off the loops and the slits, which are not part of the answer, the loops
+   wind once around the points that G covers, and not around others. *)
 Definition swept (T : list (point * point)) (G : list ring) (p : point) : Prop := exists t, on_any T t /\ closure (inside (translate t G)) p.
 Definition sweep_claim (T : list (point * point)) (G loops : list ring) (slits : list (point * point)) : Prop :=
   forall p, ~ on_any (flat_map edges loops ++ slits) p ->
     (swept T G p /\ winding loops p = 1%Z) \/ (~ swept T G p /\ winding loops p = 0%Z).
-(* Twice the area within rings, by the shoelace formula *)
+(* Twice the area of rings, by the shoelace formula *)
 Definition doubled_area (rs : list ring) : Q :=
   fold_right Qplus 0 (map (fun e => fst (fst e) * snd (snd e) - fst (snd e) * snd (fst e)) (flat_map edges rs)).
-(* A sweep: T is the exterior of the no-fit polygon; the inner loop goes around D, that is, around a point of it. *)
+(* A sweep: T is the exterior of the no-fit polygon; the inner loop winds around D, that is, around a point of D. *)
 Definition sweep_of (D G : list ring) (T : ring) (holes : list ring) (fits : list (point * point))
     (outer inner : ring) (unswept : list ring) (slits : list (point * point)) (area : Q) : Prop :=
   let loops := with_holes outer (inner :: unswept) in
   no_fit_polygon D G T holes fits /\ sweep_claim (edges T) G loops slits /\ named outer (inner :: unswept) /\
   (exists z, inside D z /\ winding [inner] z = 1%Z) /\ 2 * area == doubled_area loops.
-(* The sum of a shape and a path: what the shape covers on its way *)
+(* The sum of a shape and a path: the area that the shape covers along the path *)
 Definition path_sum (G : list ring) (path : list point) (exterior : ring) (holes : list ring) (slits : list (point * point)) : Prop :=
   sweep_claim (combine path (tl path)) G (with_holes exterior holes) slits /\ named exterior holes.

@@ -11,7 +11,7 @@ Proof. nra. Qed.
 
 Notation qpoint := Statements.point.
 
-(* A point strictly left of all sides of a polygon is in a closed triangle of its fan. *)
+(* A point strictly left of all sides of a polygon is in a closed triangle of the fan of the polygon. *)
 Fixpoint qback (p q : qpoint) (l : list qpoint) : list side :=
   match l with [] => [(q, p)] | r :: m => (q, r) :: qback p r m end.
 Lemma qedges p q l : Statements.edges (p :: q :: l) = (p, q) :: qback p q l.
@@ -66,12 +66,12 @@ Proof.
     unfold o, Statements.orient in *. cbn [fst snd] in *. field. exact N.
 Qed.
 
-(* A point between y and c, near y *)
+(* A point between y and c, close to y *)
 Definition mix (e : Q) (y c : qpoint) : qpoint := ((fst y + e * fst c) / (1 + e), (snd y + e * snd c) / (1 + e)).
 Lemma o_mix f e y c : 0 < e -> o f (mix e y c) == (o f y + e * o f c) / (1 + e).
 Proof. intro H. unfold o, Statements.orient, mix. cbn [fst snd]. field. lra. Qed.
 
-(* A convex polygon: no corner right of a side *)
+(* A convex polygon: no vertex to the right of a side *)
 Definition left_all (P : list qpoint) : Prop := forall f v, In f (Statements.edges P) -> In v P -> 0 <= o f v.
 
 Lemma mix_strict P u v w p a b c e : left_all P -> In p P -> In a P -> In b P -> inS (Statements.edges P) c ->

@@ -1,6 +1,6 @@
-(* Sums of pieces, and `boundary`, the check for no-fit polygons, inner fits and sweeps. D is a list of convex pieces
-   or segments, H a list of convex pieces; a sum is the interior of the Minkowski sum of one of D and one of H. Vertices
-   are integers, at a common denominator N. *)
+(* Sums of pieces, and `boundary`, the check for no-fit polygons, inner fits and sweeps. D is a list of convex pieces or
+   segments, H a list of convex pieces; a sum is the interior of the Minkowski sum of an element of D and an element of
+   H. Vertices are integers, at a common denominator N. *)
 Require Import QArith Lqa ZArith Lia List Bool FMapPositive.
 From Exactsweep Require Import Cancel Constant Fans Pieces Convex Solid Gaps Boxes Scaling.
 From Exactsweep Require Statements.
@@ -14,14 +14,14 @@ Definition same (p q : pt) : bool := (fst p =? fst q) && (snd p =? snd q).
 Definition plus (p q : pt) : pt := (fst p + fst q, snd p + snd q).
 Definition turned (r : ring) : ring := map opposite r.
 
-(* A ring from its lowest vertex on, the leftmost of two *)
+(* A ring that starts at its lowest vertex, or the left one of two *)
 Definition lower (p q : pt) : bool := (snd p <? snd q) || (snd p =? snd q) && (fst p <? fst q).
 Definition lowest (p : pt) (r : ring) : pt := fold_right (fun q best => if lower q best then q else best) p r.
 Fixpoint rotate (v : pt) (seen rest : ring) : ring :=
   match rest with [] => rev seen | p :: r => if same p v then rest ++ rev seen else rotate v (p :: seen) r end.
 Definition from_lowest (r : ring) : ring := match r with [] => [] | p :: _ => rotate (lowest p r) [] r end.
 
-(* The vertices of a sum, by the directions of edges, each as a pair of summands *)
+(* The vertices of a sum, ordered by directions of edges, each as a pair of summands *)
 Definition turn (e f : edge) : Z :=
   (fst (snd e) - fst (fst e)) * (snd (snd f) - snd (fst f)) - (snd (snd e) - snd (fst e)) * (fst (snd f) - fst (fst f)).
 Fixpoint add_from (steps : nat) (p q : pt) (one other : list edge) : list (pt * pt) :=
@@ -43,7 +43,7 @@ Definition add (one other : ring) : list (pt * pt) :=
 Definition sum_vertices (one other : ring) : ring := map (fun x => plus (fst x) (snd x)) (add one other).
 Definition sum_sides (one other : ring) : list edge := edges (sum_vertices one other).
 
-(* Three times a point inside a piece, or of a segment *)
+(* Three times a point inside a piece or on a segment *)
 Definition center (r : ring) : pt :=
   match r with p :: q :: s :: _ => plus (plus p q) s | p :: _ => grow 3 p | [] => (0, 0) end.
 Definition left_of (z : pt) (f : edge) : bool := 0 <? det (grow 3 (fst f)) (grow 3 (snd f)) z.
@@ -60,13 +60,13 @@ Definition is_box_beyond (b c : extremes) : bool :=
 Definition box_of (one other : ring) : extremes :=
   let m := bound one other in (m (1, 0), m (0, 1), m (-1, 0), m (0, -1)).
 
-(* Two edges of loops have at most one common point. *)
+(* Whether two edges of loops have at most one common point *)
 Definition distinct (e g : edge) : bool :=
   negb (turn e g =? 0) || negb (det (fst e) (snd e) (fst g) =? 0) ||
   (Z.max (snd (fst e)) (snd (snd e)) <=? Z.min (snd (fst g)) (snd (snd g))) ||
   (Z.max (snd (fst g)) (snd (snd g)) <=? Z.min (snd (fst e)) (snd (snd e))).
 
-(* Pieces connected by common vertices: one of each group, with the vertices of the group *)
+(* Groups of pieces connected by common vertices: one piece and all vertices of each group *)
 Definition meets (p : ring) (g : ring * list pt) : bool := some (fun v => some (same v) (snd g)) p.
 Fixpoint groups (ps : list ring) : list (ring * list pt) :=
   match ps with
@@ -75,7 +75,7 @@ Fixpoint groups (ps : list ring) : list (ring * list pt) :=
   end.
 Definition are_segments (ps : list ring) : bool := match ps with [_; _] :: _ => true | _ => false end.
 
-(* A known edge, and an index in the chain of a side: n >= 0 is listed polygon n, -1 - n is known edge n. *)
+(* An index in the chain of a side: n >= 0 is listed polygon n, -1 - n is known edge n. *)
 Definition spans_of (polygons : list (list edge)) (known : list edge) (f : edge) (chain : list Z) : list span :=
   flat_map (fun n =>
     if 0 <=? n then
@@ -89,7 +89,7 @@ Definition spans_of (polygons : list (list edge)) (known : list edge) (f : edge)
       | None => []
       end) chain.
 
-(* Intervals of a known edge with sides of sums along it, in its direction (the sum is on its left) or against it *)
+(* Intervals of a known edge covered by sides of sums, in its direction (the sum is on its left) or against it *)
 Definition rightwards (e : edge) : bool :=
   (fst (fst e) <? fst (snd e)) || (fst (fst e) =? fst (snd e)) && (snd (fst e) <? snd (snd e)).
 Definition along (e f : edge) (left : bool) : list span :=
@@ -100,7 +100,7 @@ Definition beside (left : bool) (sides : list edge) (e : edge) : bool := covers 
 Definition on_side (sides : list edge) (e : edge) : bool :=
   existsb (fun f => match share f e with Some (s, t) => Qle_bool 0 s && Qle_bool s 1 | None => false end && negb (same (fst f) (snd f))) sides.
 
-(* The sides that name a known edge; edges have numbers from 1 on. *)
+(* The sides that refer to a known edge; edges are numbered from 1. *)
 Definition table := PositiveMap.t (list edge).
 Definition sides_at (m : table) (k : positive) : list edge := match PositiveMap.find k m with Some l => l | None => [] end.
 Definition add_side (f : edge) (n : Z) (m : table) : table :=
@@ -114,8 +114,8 @@ Fixpoint zip_all {A B} (f : A -> B -> bool) (l : list A) (m : list B) : bool :=
   match l, m with [], [] => true | a :: l', b :: m' => f a b && zip_all f l' m' | _, _ => false end.
 
 Section Check.
-(* Loops, oriented with the sums on the left, and fits; the listed sums, each by its number and the chains of its
-   sides; open half-planes right of edges, which count as listed, with one chain each. *)
+(* Loops, oriented with the sums on the left, and fits; the listed sums, each with its number and the chains of its
+   sides; and open half-planes to the right of edges, which count as listed, with one chain each. *)
 Variables (ds hs : list ring) (beyond : list edge) (loops : list ring) (fits : list edge)
   (listed : list (Z * list (list Z))) (around : list (list Z)) (wanted : Z).
 Definition loop_edges : list edge := flat_map edges loops.
@@ -127,7 +127,8 @@ Definition polygons : list (list edge) := map (fun x => sides_of (fst x)) listed
 Definition chains : list (list (list Z)) := map snd listed ++ map (fun c => [c]) around.
 Definition named : list (edge * list Z) := flat_map (fun x => combine (fst x) (snd x)) (combine polygons chains).
 
-(* (a) of a pair of pieces, and (d) of pieces of each group.  Along a segment, pieces with a common vertex may be apart. *)
+(* Condition (a) for a pair of pieces, and (d) for the pieces of each group.  Along a segment, sums of pieces with a
+   common vertex may be disjoint. *)
 Definition is_clear (trees : list tree) (one other : ring) : bool :=
   let normals := axes ++ map normal (edges one) ++ map normal (edges other) in
   forallb (all_in (is_box_beyond (box_of one other)) (clear one other normals)) trees.
@@ -311,7 +312,7 @@ Proof.
     apply o_nonneg, (edge_left_weak p t H f v I V).
 Qed.
 
-(* Winding numbers along a segment that is apart from all edges *)
+(* Winding numbers along a segment that avoids all edges *)
 Lemma loops_at loops k z v : (0 < k)%Z -> pat k z v -> Statements.winding (map (qring N) loops) z = W k loops (grow (Zpos N) v).
 Proof.
   intros K V. apply winding_W; [reflexivity|exact K| |exact V]. unfold rings_at. induction loops as [|r l IH]; constructor; [apply qring_at|exact IH].

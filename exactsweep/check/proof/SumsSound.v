@@ -12,7 +12,7 @@ Proof. unfold rings_at. induction loops as [|r l IH]; constructor; [apply qring_
 Section Accepted.
 Variables (N : positive) (ds hs : list ring) (beyond : list edge) (loops : list ring) (fits : list edge)
   (listed : list (Z * list (list Z))) (around : list (list Z)) (wanted : Z).
-(* The sum of two pieces as a set: its properties used here *)
+(* Properties of the sum of two pieces as a set *)
 Variable at_sum : ring -> ring -> qpoint -> Prop.
 Notation qe := (qe N).
 Hypothesis Bound : forall P Q n t, In P ds -> In Q hs -> n <> (0, 0)%Z -> at_sum P Q t ->
@@ -305,7 +305,7 @@ Proof.
   destruct Far as [F|F]; [left; exact F|right]. intro t. destruct (F t) as (x & X & B). exists x. split; [exact X|apply beyond_U, B].
 Qed.
 
-(* Off loops and fits, the winding number is `wanted` on the sums, and one less elsewhere. *)
+(* Off loops and fits, the winding number is `wanted` on the sums and one lower elsewhere. *)
 Theorem boundary_core t : ~ on_known t -> (O t /\ wind_at t = wanted) \/ (~ O t /\ wind_at t = (wanted - 1)%Z).
 Proof.
   intro NL. rewrite <- winding_sides.
@@ -316,7 +316,7 @@ Proof.
   - intro Lt. apply NL, known_app, Lt.
 Qed.
 
-(* Loops and fits are the limits of sums that are in no sum. *)
+(* Loops and fits consist of the limit points of the sums that are in no sum. *)
 Theorem boundary_limits t : on_known t <-> (Statements.closure O t /\ ~ O t).
 Proof.
   rewrite known_app.
@@ -326,7 +326,7 @@ Proof.
   - intros S f x I F X A. destruct (cover S f x I F X A) as [|K]; [left; assumption|right; apply known_app, K].
   - intro u. unfold L. apply on_any_dec.
 Qed.
-(* Each point of a loop or fit is the sum of a point on a side of one piece and one of another, if there are no half-planes. *)
+(* Without half-planes, each point of a loop or fit is the sum of two points on sides of pieces. *)
 Definition between (s : Q) (a b : pt) : qpoint := (fst (qpt N a) + s * (fst (qpt N b) - fst (qpt N a)), snd (qpt N a) + s * (snd (qpt N b) - snd (qpt N a))).
 Theorem boundary_contact t : beyond = [] -> on_known t -> exists P Q a b c d s, In P ds /\ In Q hs /\ In a P /\ In b P /\ In c Q /\ In d Q /\
   0 <= s <= 1 /\ fst t == fst (between s a b) + fst (between s c d) /\ snd t == snd (between s a b) + snd (between s c d).
@@ -347,7 +347,7 @@ Proof.
 Qed.
 End Accepted.
 
-(* The conditions in one Boolean *)
+(* All conditions as one Boolean *)
 Lemma boundary_parts ds hs beyond loops fits listed around wanted : Sums.boundary ds hs beyond loops fits listed around wanted = true ->
   (forall e, In e (loop_edges loops) -> fst e <> snd e) /\ all_pairs distinct (loop_edges loops) = true /\
   all_clear ds hs loops fits = true /\ wind_all ds hs loops wanted = true /\

@@ -37,7 +37,7 @@ Proof.
   - rewrite Rx, Ry, Sx, Sy. split; field; lra.
 Qed.
 
-(* A point strictly inside a sum polygon is strictly inside the piece at some position on the edge. *)
+(* A point strictly inside a sum polygon is strictly inside the piece translated to some point of the edge. *)
 Lemma sum_swept e G pairs cG p : left_all G -> inS (Statements.edges G) cG ->
   (forall x, In x pairs -> Statements.on_segment e (fst x) /\ In (snd x) G) ->
   inS (Statements.edges (map qplus pairs)) p -> pairs <> [] ->

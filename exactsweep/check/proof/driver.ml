@@ -1,5 +1,5 @@
-(* Reads claims as plain numbers, as exactsweep.theorem.claims writes them, and prints the answer of the
-   extracted checker to each. *)
+(* Read claims as the plain numbers written by exactsweep.theorem.claims, and print the answer of the extracted checker
+   to each. *)
 open Checker
 module B = Big_int_Z
 
@@ -10,7 +10,7 @@ let integer () = read (token ())
 let positive s = let n = read s in if B.sign_big_int n > 0 then n else failwith "not positive"
 let nat () = let n = int_of_string (token ()) in if n >= 0 then n else failwith "negative"
 let natural () = let n = integer () in if B.sign_big_int n >= 0 then n else failwith "negative"
-let list f = List.init (nat ()) (fun _ -> f ())      (* List.init goes from the first on *)
+let list f = List.init (nat ()) (fun _ -> f ())      (* List.init evaluates in order *)
 let flag () = match nat () with 0 -> false | 1 -> true | _ -> failwith "neither 0 nor 1"
 let option f = if flag () then Some (f ()) else None
 let pair f g = let a = f () in let b = g () in (a, b)
@@ -51,7 +51,7 @@ let fault () = match nat () with
   | 5 -> let i = nat () in Overlapping (i, body ())
   | 6 -> let i = nat () in Too_close (i, body ())
   | _ -> failwith "no fault"
-(* Normals are hints: whatever this table gives, the theorem holds. *)
+(* Normals are hints: the theorem holds for any table. *)
 let normals () =
   let table = Hashtbl.create 1000 in
   let int = B.int_of_big_int in
@@ -85,7 +85,7 @@ let answer = function
   | "faults" -> let l = layout () in let fs = list fault in accept_faults l fs (ring ())
   | word -> failwith ("unknown claim " ^ word)
 
-(* One claim a line; a line that is none is an error of the program that writes it. *)
+(* One claim per line; an unreadable line is an error of the program that writes it. *)
 let () =
   try
     while true do
