@@ -120,7 +120,7 @@ def conform_command(
     rounding: Fraction | None,
     reports: Reports,
 ) -> None:
-    """Judge a program by exact answers.
+    """Judge a program against exact answers.
 
     Runs COMMAND with its arguments. The program reads one JSON case per line on standard input and
     writes one JSON result per line on standard output; exactsweep/conform/PROTOCOL.md describes the

@@ -120,7 +120,7 @@ def find_contact_segments(
     # The edges of one shape face the vertices of the other.
     for (faced, facing_rings), rings in ((ranked, moving), (ranked[::-1], stationary)):
         order = sorted(chain.from_iterable(faced), key=itemgetter(0))
-        # Two turns, so that each range of directions is one slice.
+        # Two full turns, so that each range of directions is one slice.
         at = [a for a, _ in order] + [a + full_turn for a, _ in order]
         edges = [edge for _, edge in order] * 2
         for ring, own in zip(rings, facing_rings, strict=True):

@@ -77,7 +77,7 @@ def conform(
     accepted: Verdict = ACCEPTED,
     made_smaller: int = 0,
 ) -> Run:
-    """Judge a Python function by exact answers, in this process.
+    """Judge a Python function against exact answers, in this process.
 
     Args:
         function: takes the directrix and the generatrix, each a list of (x, y), or a list of rings

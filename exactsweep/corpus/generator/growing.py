@@ -1,8 +1,8 @@
 """Families of pairs with growing sizes, for the counts of the ledger.
 
 A seeded family takes (m, n, seed), m and n even, and returns a generatrix of n and a directrix of m
-vertices as counter-clockwise lists of pairs of ints. `random.Random` has the same integers on all
-platforms.
+vertices as counter-clockwise lists of pairs of ints. `random.Random` draws the same integers on
+all platforms.
 """
 
 from fractions import Fraction
