@@ -154,7 +154,7 @@ def long_numbers(n: int, digits: int) -> Certificate:
 
 
 def zigzags(n: int, digits: int) -> Certificate:
-    """A path of many segments, a strip of pieces, and an edge whose box holds all of their sums."""
+    """Return a path of many segments, a strip of pieces, and an edge whose box holds all sums."""
     count, far = digits * 10, 9 * n + 99
     shape = {"exterior": rectangle(0, 0, count, 1)}
     path = write([(2 * far + 3 * k, k % 2 * digits) for k in range(n)])

@@ -225,7 +225,7 @@ def misplaced(docstring: str) -> str:
 
 
 def docstrings(source: str) -> Iterator[tuple[str, str]]:
-    """The first line of a module, and the docstrings of its classes and functions, by name."""
+    """Yield the first line of a module, and docstrings of its classes and functions, by name."""
     yield "module", (ast.get_docstring(parse(source)) or "").partition("\n")[0]
     for node in statements(source):
         if isinstance(node, ast.ClassDef | ast.FunctionDef):

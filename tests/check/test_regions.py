@@ -38,7 +38,7 @@ def pocket() -> tuple[dict[str, Any], dict[str, Any]]:
 
 
 def lenses() -> tuple[dict[str, Any], dict[str, Any]]:
-    """Three regions from one point to another, whose six arcs are joined into crossing loops.
+    """Return three regions between two points, whose six arcs are joined into crossing loops.
 
     The first loop consists of arcs 1 and 4, the second of 3 and 6, the hole of 2 and 5.
     """

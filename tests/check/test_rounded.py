@@ -33,7 +33,7 @@ def disc(x: Any, y: Any, radius: Any) -> dict[str, Any]:
 
 
 @pytest.mark.parametrize("seed", range(3))
-def test_pieces_are_apart_if_the_distance_of_hulls_is_the_sum_of_radii(seed: int) -> None:
+def test_pieces_are_disjoint_if_the_distance_of_hulls_is_the_sum_of_radii(seed: int) -> None:
     rng, verdicts = Random(seed), set()
     for _ in range(60):
         room = Fraction(rng.choice([0, 0, 1, 2]), rng.choice([1, 3]))

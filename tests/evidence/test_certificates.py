@@ -12,7 +12,7 @@ from exactsweep.check import verify
 
 
 def zigzag(random: Random, n: int, size: int) -> list[tuple[int, int]]:
-    """An X-monotone polygon of about n vertices on an irregular grid, some walls among them."""
+    """Return an X-monotone polygon of about n vertices on an irregular grid, with walls."""
     xs = sorted(random.choices(range(1, size), k=n))
     low, high = xs[::2], xs[1::2]
     bottom = [(x, -random.randrange(1, size)) for x in low]

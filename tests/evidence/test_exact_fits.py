@@ -42,7 +42,7 @@ def test_fits_match_the_definition_in_any_direction(
     assert sweep(generatrix, directrix).exact_fits == expected
 
 
-def test_fits_of_many_rectilinear_pairs_are_fits() -> None:
+def test_fits_of_many_rectilinear_pairs_match_the_definition() -> None:
     """Ends and midpoint touch, positions next to them overlap; and fits are frequent enough."""
     found = 0
     for number in range(150):

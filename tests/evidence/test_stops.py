@@ -17,7 +17,7 @@ DIRECTIONS: list[Vertex] = [*COMPASS, (2, 1), (-1, 2), (-2, -1), (1, -2)]
 
 
 def corner(forward: int, back: int) -> list[Vertex]:
-    """A polygon whose first vertex is the origin, with edges there in two of eight directions."""
+    """Return a polygon with first vertex (0, 0) and edges there in two of eight directions."""
     size = (back - forward) % 8
     return [(0, 0), *(COMPASS[(forward + k) % 8] for k in range(size + 1))]
 

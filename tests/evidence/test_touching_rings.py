@@ -65,7 +65,7 @@ def lasting(s: Sweep, p: Point, q: Point) -> set[Contact]:
 @settings(max_examples=20)
 @given(polyominoes(12, 5), polyominoes(6, 4), st.booleans())
 @example({(0, 0), (1, 0), (2, 0), (0, 1), (2, 1), (0, 2), (1, 2)}, {(0, 0)}, True)
-def test_contacts_along_edges_are_those_at_their_points(d: Cells, g: Cells, turns: bool) -> None:
+def test_contacts_along_edges_match_those_at_their_points(d: Cells, g: Cells, turns: bool) -> None:
     shapes: list[AnyPolygon] = [region(g), region(d)]
     if turns:
         shapes.reverse()
@@ -73,7 +73,7 @@ def test_contacts_along_edges_are_those_at_their_points(d: Cells, g: Cells, turn
 
 
 @pytest.mark.parametrize("shape", [PINCHED, AT_THE_RIM])
-def test_contacts_along_edges_of_touching_rings_are_those_at_their_points(shape: Region) -> None:
+def test_contacts_along_edges_of_touching_rings_match_those_at_their_points(shape: Region) -> None:
     for other in (Polygon(SQUARE), shape, Polygon([(0, 0), (2, 1), (0, 2)])):
         check(sweep(other, shape))
         check(sweep(shape, other))

@@ -65,7 +65,7 @@ def is_strict(found: Directions, u: Vector) -> bool:
 
 
 def trials(*polygons: Polygon) -> list[Vector]:
-    """The critical directions of polygons, one between each two neighbors, and a few more."""
+    """List the critical directions of polygons, one between each two, and a few more."""
     critical: set[Vector] = {(1, 0), (0, 1)}
     for polygon in polygons:
         v = polygon.lattice()[1]

@@ -134,7 +134,7 @@ def test_many_vertices_are_checked_by_a_sweep() -> None:
 
 
 def random_monotone_ring(rng: random.Random, width: int, height: int) -> list[Vertex]:
-    """Two chains from left to right on a small grid, with walls, which may touch or cross."""
+    """Draw two chains from left to right on a small grid, with walls; they may touch or cross."""
 
     def chain() -> list[Vertex]:
         xs = sorted(rng.randrange(width) for _ in range(rng.randint(1, 5)))

@@ -137,7 +137,7 @@ def test_boxes_contain_the_ends() -> None:
             assert 0 <= min(ys) - low < 1 > high - max(ys) >= 0
 
 
-def test_remaining_pieces_are_those_without_cuts() -> None:
+def test_remaining_pieces_match_those_without_cuts() -> None:
     """Each point at which a piece may begin or end, once."""
     rng = Random(1)
     for _ in range(600):

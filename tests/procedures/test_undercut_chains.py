@@ -49,7 +49,7 @@ def under_lid(chain: Chain) -> Chain:
         ),
     ],
 )
-def test_undercuts_by_hand(
+def test_known_undercuts_of_chains(
     sign: int, inner: Chain, directrix: Chain, expected: list[tuple[Chain, Chain]]
 ) -> None:
     def turn(chain: Chain) -> Chain:

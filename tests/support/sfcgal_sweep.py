@@ -66,7 +66,7 @@ def differs(case: Case) -> list[str]:
 
 
 def _inside(ring: Ring, moving: Ring) -> list[Ring]:
-    """The points p with p - MOVING inside a ring: the holes of the sum of a frame and MOVING.
+    """Find the points p with p - MOVING inside a ring: holes of the sum of a frame and MOVING.
 
     If p - MOVING is entirely inside the frame, SFCGAL also treats p as a point of a hole.
     """

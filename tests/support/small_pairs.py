@@ -252,7 +252,7 @@ def _drop(rng: Random, shapes: list[Shape], k: int) -> None:
 
 
 def _insert(rng: Random, shapes: list[Shape], k: int) -> None:
-    """A vertex near the middle of an edge."""
+    """Insert a vertex near the midpoint of an edge."""
     ring = shapes[k][0]
     if len(shapes[k]) == 1 and len(ring) < 12:
         i = rng.randrange(len(ring))

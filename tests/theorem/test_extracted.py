@@ -232,7 +232,7 @@ def test_dropped_conditions_of_the_extracted_checker_change_answers() -> None:
 
 @needs_tools
 @pytest.mark.long
-def test_rounded_containers_have_room_for_parts_near_their_hull() -> None:
+def test_rounded_containers_contain_parts_near_their_hull() -> None:
     tray = {"points": [["0", "0"], ["9", "0"], ["9", "6"], ["0", "6"]], "radius": "2"}
     square = {"id": "a", "exterior": [["0", "0"], ["4", "0"], ["4", "4"], ["0", "4"]]}
     answers = []
@@ -360,7 +360,7 @@ def test_coq_proves_a_certificate_and_not_a_changed_one(tmp_path: Path, kind: st
 
 
 def eleven_squares() -> Layout:
-    """The best known packing of 11 unit squares in a square, its side rounded up to 3.877084.
+    """Return the best known packing of 11 unit squares, in a square of side 3.877084 (rounded up).
 
     Five squares are rotated by 40.1819373 degrees, as a rational rotation.
     """
