@@ -1,4 +1,4 @@
-"""An exact test whether two regions are equal up to rounding of their coordinates.
+"""An exact test of whether two regions are equal up to rounding of their coordinates.
 
 Two regions E and T are closer than a bound r if
 
