@@ -154,7 +154,7 @@ def test_the_exit_code_of_scaling_reports_exceeded_bounds(
     monkeypatch.setattr(scaling, "COSTS", (cost,))
     result = CliRunner().invoke(main, ["scaling", "--quick"])
     assert result.exit_code == 0
-    assert "All are within the bounds." in result.output
+    assert "All costs are within the bounds." in result.output
     slow = replace(cost, bound=("1", lambda m, n: 1.0))
     monkeypatch.setattr(scaling, "COSTS", (slow,))
     result = CliRunner().invoke(main, ["scaling", "--quick"])

@@ -107,7 +107,7 @@ def test_reports_state_the_granted_rounding(tmp_path: Path) -> None:
     done = run("conform", *filters, *options, "--", *FAULTY, "to-floats")
     (line,) = re.findall("^within: .*$", done.stdout, re.M)
     assert line.startswith("within: a rounding of up to 0.142857 was granted (")
-    assert "A rounding of about 0.142857 at most was granted (" in page.read_text()
+    assert "The greatest rounding granted was about 0.142857 (" in page.read_text()
 
 
 def test_the_page_shows_no_control_characters_and_names_all_questions() -> None:

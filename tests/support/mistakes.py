@@ -243,7 +243,7 @@ def move_aside(fits: Any) -> Any:
 
 
 LOOP, FIT = "trajectory", "exact_fits"
-BUMPED = "has all vertices|spike|touch|cross|edges"
+BUMPED = "has all exact vertices|spike|touch|cross|edges"
 CONSTANT = [Point(Fraction(x), Fraction(y)) for x, y in ((0, 0), (1, 0), (1, 1))]
 DOUBLES: dict[str, Callable[[Any], Any]] = {
     "rounded to single precision": to_float32,

@@ -33,7 +33,7 @@ from exactsweep.theorem.claims import to_claim, write_numbers
 from exactsweep.theorem.extracted import build_checker
 
 CONJUNCTION = "(&&)"
-LOOP = "(* One claim a line"
+LOOP = "(* One claim per line"
 # Even numbers drop the second side of a conjunction, odd ones the first.
 HEAD = """
 let dropped = ref (-1)
