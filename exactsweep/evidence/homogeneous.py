@@ -14,7 +14,6 @@ from typing import NamedTuple
 
 from exactsweep.geometry.frame import HomogeneousPoint
 
-Node = HomogeneousPoint
 Interval = tuple[Fraction, Fraction]
 """The first and the last parameter."""
 
@@ -22,18 +21,18 @@ Interval = tuple[Fraction, Fraction]
 class DirectedSegment(NamedTuple):
     """A directed segment, possibly a point, with its primitive direction and its line."""
 
-    start: Node
-    end: Node
+    start: HomogeneousPoint
+    end: HomogeneousPoint
     direction: tuple[int, int]
     line: tuple[int, int, int]
 
 
-def place(p: Node) -> tuple[Fraction, Fraction]:
+def place(p: HomogeneousPoint) -> tuple[Fraction, Fraction]:
     """Return the coordinates of a point."""
     return Fraction(p[0], p[2]), Fraction(p[1], p[2])
 
 
-def make_side(p: Node, q: Node) -> DirectedSegment:
+def make_side(p: HomogeneousPoint, q: HomogeneousPoint) -> DirectedSegment:
     """Return the segment from one point to another."""
     (x, y, w), (u, v, z) = p, q
     dx, dy = u * w - x * z, v * w - y * z
@@ -41,7 +40,9 @@ def make_side(p: Node, q: Node) -> DirectedSegment:
     return direct_side(p, q, (dx // common, dy // common))
 
 
-def direct_side(p: Node, q: Node, direction: tuple[int, int]) -> DirectedSegment:
+def direct_side(
+    p: HomogeneousPoint, q: HomogeneousPoint, direction: tuple[int, int]
+) -> DirectedSegment:
     """Return the segment from one point to another, given its direction."""
     (x, y, w), (dx, dy) = p, direction
     level = dy * x - dx * y
@@ -50,12 +51,12 @@ def direct_side(p: Node, q: Node, direction: tuple[int, int]) -> DirectedSegment
     return DirectedSegment(p, q, direction, (-dy * w, dx * w, level // common))
 
 
-def list_sides(ring: Sequence[Node]) -> list[DirectedSegment]:
+def list_sides(ring: Sequence[HomogeneousPoint]) -> list[DirectedSegment]:
     """Return the edges of a ring."""
     return [make_side(p, q) for p, q in pairwise((*ring, ring[0]))]
 
 
-def find_between(p: Node, q: Node, parameter: Fraction) -> Node:
+def find_between(p: HomogeneousPoint, q: HomogeneousPoint, parameter: Fraction) -> HomogeneousPoint:
     """Return the point of a segment at a parameter."""
     (x, y, w), (u, v, z), (n, d) = p, q, parameter.as_integer_ratio()
     from_p, from_q = (d - n) * z, n * w
@@ -76,13 +77,15 @@ def is_along(side: DirectedSegment, other: DirectedSegment) -> bool:
     return dx * ey == dy * ex and a * other.start[0] + b * other.start[1] + c * other.start[2] == 0
 
 
-def is_on_border(sides: Iterable[DirectedSegment], p: Node) -> bool:
+def is_on_border(sides: Iterable[DirectedSegment], p: HomogeneousPoint) -> bool:
     """Decide whether a point is on the boundary of a convex polygon."""
     x, y, w = p
     return min(a * x + b * y + c * w for *_, (a, b, c) in sides) == 0
 
 
-def clip(sides: Iterable[DirectedSegment], a: Node, b: Node) -> Interval | None:
+def clip(
+    sides: Iterable[DirectedSegment], a: HomogeneousPoint, b: HomogeneousPoint
+) -> Interval | None:
     """Find the open interval of a segment inside an open convex polygon, or None.
 
     An interval that contains an end of the segment extends to -1 or 2.

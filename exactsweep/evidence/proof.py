@@ -12,11 +12,11 @@ from math import lcm
 from typing import Any
 
 from exactsweep.evidence.chains import find_evidence
-from exactsweep.evidence.homogeneous import DirectedSegment, Node, list_sides, make_side
+from exactsweep.evidence.homogeneous import DirectedSegment, list_sides, make_side
 from exactsweep.evidence.sums import Sums
 from exactsweep.geometry.canonical import find_doubled_area
 from exactsweep.geometry.convex import IntRing, cut_to_convex
-from exactsweep.geometry.frame import to_homogeneous
+from exactsweep.geometry.frame import HomogeneousPoint, to_homogeneous
 from exactsweep.numbers.digits import to_plain
 from exactsweep.numbers.number import Point, to_fraction
 
@@ -54,7 +54,7 @@ class _ShapeLattice:
         found = [(int(x * self.scale), int(y * self.scale)) for x, y in ring]
         return found if (find_doubled_area(found) > 0) != is_hole else found[::-1]
 
-    def enter(self, points: _PointList) -> list[Node]:
+    def enter(self, points: _PointList) -> list[HomogeneousPoint]:
         """Convert points of an answer, which may be off the lattice."""
         return [to_homogeneous(x * self.scale, y * self.scale) for x, y in _read(points)]
 
@@ -71,7 +71,7 @@ class _ShapeLattice:
         """Convert exact fits."""
         return [make_side(*self.enter(fit)) for fit in fits]
 
-    def leave(self, lists: Iterable[Iterable[Node]]) -> list[list[Point]]:
+    def leave(self, lists: Iterable[Iterable[HomogeneousPoint]]) -> list[list[Point]]:
         """Convert points back to the plane."""
         unit = self.scale
         return [
@@ -147,7 +147,7 @@ _PROVERS = {
 
 def _surround(
     container: IntRing, part: IntRing, unit: int
-) -> tuple[list[Fraction], IntRing, list[Node]]:
+) -> tuple[list[Fraction], IntRing, list[HomogeneousPoint]]:
     """Return a frame with room for a part around a container, its ring, and its inner fit."""
     lows, highs, ends = [], [], []
     for k in (0, 1):
@@ -164,11 +164,11 @@ def _surround(
     return [Fraction(ends[k]) for k in (0, 2, 1, 3)], frame, corners
 
 
-def _turn(ring: Iterable[Node]) -> list[Node]:
+def _turn(ring: Iterable[HomogeneousPoint]) -> list[HomogeneousPoint]:
     return [(-x, -y, w) for x, y, w in ring]
 
 
-def _cut(rings: Sequence[IntRing]) -> list[list[Node]]:
+def _cut(rings: Sequence[IntRing]) -> list[list[HomogeneousPoint]]:
     cut = chain.from_iterable(map(_slice, cut_to_convex(rings)))
     return [[(x, y, 1) for x, y in piece] for piece in cut]
 

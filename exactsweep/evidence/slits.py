@@ -11,10 +11,10 @@ from collections.abc import Iterable, Sequence
 from fractions import Fraction
 from itertools import starmap
 
-from exactsweep.evidence.homogeneous import DirectedSegment, Node, make_side, place
-from exactsweep.geometry.frame import to_homogeneous
+from exactsweep.evidence.homogeneous import DirectedSegment, make_side, place
+from exactsweep.geometry.frame import HomogeneousPoint, to_homogeneous
 
-Gap = tuple[Node, Node]
+Gap = tuple[HomogeneousPoint, HomogeneousPoint]
 _PlanePoint = tuple[Fraction, Fraction]
 
 
@@ -54,7 +54,7 @@ def unite(gaps: Iterable[Gap], known: Sequence[DirectedSegment]) -> list[Directe
     return found + [make_side(p, p) for p in alone]
 
 
-def _is_on(p: Node, edge: DirectedSegment) -> bool:
+def _is_on(p: HomogeneousPoint, edge: DirectedSegment) -> bool:
     (a, b, c), (x, y, w) = edge.line, p
     if a * x + b * y + c * w:
         return False

@@ -5,13 +5,14 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Sequence
 from itertools import chain, pairwise
 
-from exactsweep.evidence.homogeneous import DirectedSegment, Node, direct_side, list_sides, place
+from exactsweep.evidence.homogeneous import DirectedSegment, direct_side, list_sides, place
+from exactsweep.geometry.frame import HomogeneousPoint
 from exactsweep.geometry.near import BoxRows
 
 CellBox = tuple[int, int, int, int]
 """The left, right, low and high end of a box on the grid."""
 
-_PieceList = Sequence[Sequence[Node]]
+_PieceList = Sequence[Sequence[HomogeneousPoint]]
 
 # The number of columns and of rows of the grid.
 _CELLS = 1 << 30
@@ -59,7 +60,7 @@ class Sums:
         left, right, low, high = box
         return (low, high, left, right) if self._is_wide else box
 
-    def bound(self, points: Iterable[Node]) -> CellBox:
+    def bound(self, points: Iterable[HomogeneousPoint]) -> CellBox:
         """Return the box of points on the grid, rounded outwards."""
         size = self._size
         cells = [(x * _CELLS // (w * size), y * _CELLS // (w * size)) for x, y, w in points]
@@ -84,7 +85,7 @@ class Sums:
         return self._rows.find(self._orient(box))
 
 
-def _from_lowest(ring: Sequence[Node]) -> list[DirectedSegment]:
+def _from_lowest(ring: Sequence[HomogeneousPoint]) -> list[DirectedSegment]:
     """Return the edges of a piece, starting at its leftmost lowest vertex."""
     k = min(range(len(ring)), key=lambda k: place(ring[k])[::-1])
     return list_sides([*ring[k:], *ring[:k]])
@@ -93,7 +94,7 @@ def _from_lowest(ring: Sequence[Node]) -> list[DirectedSegment]:
 def _add(one: Sequence[DirectedSegment], other: Sequence[DirectedSegment]) -> list[DirectedSegment]:
     """Merge the edges of two convex pieces by direction."""
     i = j = 0
-    corners: list[Node] = []
+    corners: list[HomogeneousPoint] = []
     directions = []
     while i < len(one) or j < len(other):
         (x, y, w), _, (dx, dy), _ = one[i % len(one)]
@@ -102,5 +103,5 @@ def _add(one: Sequence[DirectedSegment], other: Sequence[DirectedSegment]) -> li
         turn = 1 if j == len(other) else -1 if i == len(one) else dx * ey - dy * ex
         directions.append((dx, dy) if turn >= 0 else (ex, ey))
         i, j = i + (turn >= 0), j + (turn <= 0)
-    ends: Iterable[tuple[Node, Node]] = pairwise((*corners, corners[0]))
+    ends: Iterable[tuple[HomogeneousPoint, HomogeneousPoint]] = pairwise((*corners, corners[0]))
     return [direct_side(p, q, to) for (p, q), to in zip(ends, directions, strict=True)]
