@@ -28,7 +28,8 @@ from exactsweep.evidence.homogeneous import (
     is_right,
 )
 from exactsweep.evidence.slits import Gap, unite
-from exactsweep.evidence.sums import CellBox, Sums, are_touching
+from exactsweep.evidence.sums import CellBox, Sums
+from exactsweep.geometry.near import boxes_meet
 
 _STRIPS = 8
 """The number of strips divided by the square root of the number of known edges."""
@@ -80,7 +81,7 @@ class _Strips:
     def find_near(self, box: CellBox) -> Iterator[int]:
         """Find the sums whose boxes touch the box of a point."""
         strip = self._sums[(box[0] - self._left) // self._width]
-        return (k for _, k, other in strip if are_touching(box, other))
+        return (k for _, k, other in strip if boxes_meet(box, other))
 
 
 class _Finder:

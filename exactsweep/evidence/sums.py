@@ -18,13 +18,6 @@ _PieceList = Sequence[Sequence[HomogeneousPoint]]
 _CELLS = 1 << 30
 
 
-def are_touching(one: CellBox, other: CellBox) -> bool:
-    """Decide whether two closed boxes intersect."""
-    left, right, low, high = one
-    west, east, south, north = other
-    return west <= right and left <= east and south <= high and low <= north
-
-
 class Sums:
     """The open sums of convex pieces of two shapes, with their boxes on a grid.
 

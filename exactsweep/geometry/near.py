@@ -28,6 +28,13 @@ def bound_points(points: Iterable[Vertex]) -> Bounds:
     return min(xs), max(xs), min(ys), max(ys)
 
 
+def boxes_meet(one: Bounds, other: Bounds) -> bool:
+    """Decide whether two boxes intersect."""
+    left, right, low, high = one
+    west, east, south, north = other
+    return west <= right and left <= east and south <= high and low <= north
+
+
 class BoxRows:
     """A search structure for boxes on one lattice, extended by `reach` to the right and upwards."""
 

@@ -26,8 +26,9 @@ from typing import NamedTuple
 from exactsweep.geometry.canonical import find_doubled_area
 from exactsweep.geometry.edges import EdgeIndex, Rings
 from exactsweep.geometry.frame import HomogeneousPoint, to_homogeneous
+from exactsweep.geometry.near import boxes_meet
 from exactsweep.geometry.overlap import Relation, find_outside, relate
-from exactsweep.numbers.number import Fit, Point, Rational, Vertex
+from exactsweep.numbers.number import Fit, Point, Vertex
 from exactsweep.procedures.chain import inverse
 from exactsweep.procedures.cover import leave_out_covered
 from exactsweep.procedures.crossings import Pieces, cut
@@ -132,7 +133,7 @@ def find_inner_fit(
     obstacles = [find_outside(container[0], frame), *([ring] for ring in defects), *placed]
     solid = [outside, *defects, *chain.from_iterable(placed)]
     segments = find_contact_segments(solid, [*chain.from_iterable(moving)], leave_out_overlapped)
-    segments = [segment for segment in segments if _meets(segment.box, room)]
+    segments = [segment for segment in segments if boxes_meet(segment.box, room)]
     free = find_free(*_prepare(segments, obstacles, moving), scale)
     return _nest(free.within, free.around, free.fits)
 
@@ -181,7 +182,3 @@ def _prepare(
         return False
 
     return cut(segments), overlaps
-
-
-def _meets(box: tuple[Rational, ...], other: tuple[Rational, ...]) -> bool:
-    return box[0] <= other[1] and box[1] >= other[0] and box[2] <= other[3] and box[3] >= other[2]
